@@ -1,0 +1,106 @@
+// What a scene is on the device: plain arrays of these structs. Lengths are in the scene's unit
+// (glTF: metres), positions in render space (the world less Scene::worldFromRender), colours linear RGB.
+#ifndef IMPORTON_SHARED_SCENE_DATA_H
+#define IMPORTON_SHARED_SCENE_DATA_H
+#include "glsl_compat.h"
+
+SHARED_BEGIN
+
+SHARED_CONST uint kNone = 0xFFFFFFFFu;
+
+/// Shading attributes of a vertex; its position is kept apart, for the BVH.
+struct Vertex {
+  vec2 uv0;
+  vec2 uv1;
+  uint normal;   // octahedral, two snorm16 (lib/packing.glsl); kNone: the mesh has none, shade flat
+  uint tangent;  // octahedral, snorm16 and snorm15, lowest bit 1: bitangent sign negative; kNone: none
+  uint colorRG;  // COLOR_0, half floats, linear
+  uint colorBA;
+};
+
+/// Indices into the vertex arrays (counter-clockwise front face) and the material.
+struct Triangle {
+  uint v0;
+  uint v1;
+  uint v2;
+  uint material;
+};
+
+// Material::flags
+SHARED_CONST uint kMaterialDoubleSided = 1u;
+SHARED_CONST uint kMaterialUnlit = 2u;
+SHARED_CONST uint kMaterialAlphaMask = 4u;
+SHARED_CONST uint kMaterialAlphaBlend = 8u;
+SHARED_CONST uint kMaterialSolid = 16u;  // KHR_materials_volume with thickness > 0: an interface of a solid
+SHARED_CONST uint kMaterialEmissive = 32u;
+
+/// The glTF 2.0 metallic-roughness material and its extensions. Textures are indices into the texture
+/// array or kNone; a texture multiplies its factor as glTF says.
+struct Material {
+  vec4 baseColor;          // factor; alpha in w
+  vec3 emission;           // W/(m² sr), emissiveFactor · emissiveStrength
+  float metallic;
+  vec3 specularColor;      // KHR_materials_specular specularColorFactor
+  float roughness;         // perceptual; alpha = roughness²
+  vec3 absorption;         // KHR_materials_volume: -ln(attenuationColor)/attenuationDistance, 1/m
+  float transmission;
+  float ior;
+  float specular;          // KHR_materials_specular specularFactor
+  float normalScale;
+  float alphaCutoff;
+  float clearcoat;
+  float clearcoatRoughness;
+  uint flags;
+  uint baseColorTexture;
+  uint metallicRoughnessTexture;  // g: roughness, b: metallic
+  uint normalTexture;
+  uint emissiveTexture;
+  uint transmissionTexture;       // r
+  uint specularTexture;           // a
+  uint specularColorTexture;      // rgb, sRGB
+  uint clearcoatTexture;          // r
+  uint clearcoatRoughnessTexture; // g
+};
+
+// Texture::wrapS, wrapT
+SHARED_CONST uint kWrapRepeat = 0u;
+SHARED_CONST uint kWrapClamp = 1u;
+SHARED_CONST uint kWrapMirror = 2u;
+
+/// A use of an image: sampler, colour meaning, UV set and KHR_texture_transform.
+struct Texture {
+  uint firstTexel;  // into the texel array, RGBA8 with red in the low byte, rows from the top
+  uint width;
+  uint height;
+  uint wrapS;
+  uint wrapT;
+  uint isNearest;   // 1: no interpolation
+  uint isSrgb;      // 1: rgb decode from sRGB
+  uint uvSet;       // 0, 1
+  vec3 uvRow0;      // u' = dot(uvRow0, (u, v, 1))
+  vec3 uvRow1;
+};
+
+// Light::kind
+SHARED_CONST uint kLightTriangle = 0u;
+SHARED_CONST uint kLightPoint = 1u;
+SHARED_CONST uint kLightSpot = 2u;
+SHARED_CONST uint kLightDirectional = 3u;
+SHARED_CONST uint kLightEnvironment = 4u;
+
+/// One light. glTF's candela and lux are taken as W/sr and W/m² per channel.
+struct Light {
+  uint kind;
+  uint triangle;     // kLightTriangle: index of the emissive triangle
+  float power;       // W, mean of the channels: what it emits in all; weight for choosing lights
+  float area;        // m², of one side
+  vec3 emission;     // triangle: mean radiance W/(m² sr); point, spot: W/sr; directional: W/m²; environment: W/(m² sr)
+  float range;       // point, spot: m; 0: none
+  vec3 position;     // point, spot
+  float cosInner;    // spot
+  vec3 direction;    // spot, directional: where the light goes, unit length
+  float cosOuter;    // spot
+};
+
+SHARED_END
+#endif

@@ -1,0 +1,44 @@
+/// Messages on stderr: notes, warnings counted by kind, and one progress line.
+#pragma once
+#include <map>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace importon {
+
+struct Warning {
+  std::string kind;
+  std::size_t count = 0;
+  std::string message;  // the first of its kind
+};
+
+/// Passed by reference to whatever may speak; thread-safe. The first warning of a kind is printed,
+/// the rest are counted.
+class Log {
+ public:
+  enum class Verbosity { quiet, normal, verbose };
+  explicit Log(Verbosity verbosity = Verbosity::normal);
+  ~Log();
+  Log(const Log&) = delete;
+  Log& operator=(const Log&) = delete;
+
+  void warn(std::string_view kind, std::string_view message);
+  void note(std::string_view message);     // normal and verbose
+  void detail(std::string_view message);   // verbose only
+  /// Rewrites the progress line; shows nothing unless stderr is a terminal.
+  void progress(std::string_view line);
+  void endProgress();
+  [[nodiscard]] std::vector<Warning> warnings() const;
+
+ private:
+  void print(std::string_view prefix, std::string_view message);
+  mutable std::mutex mutex_;
+  Verbosity verbosity_;
+  bool isTerminal_ = false;
+  bool hasProgressLine_ = false;
+  std::map<std::string, Warning, std::less<>> warnings_;
+};
+
+}  // namespace importon

@@ -1,0 +1,53 @@
+/// A compute pipeline made from an embedded SPIR-V module.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gpu/buffer.h"
+
+namespace importon::gpu {
+
+/// Binding numbers are the same in every kernel (shaders/shared/bindings.h), so one table serves all of them:
+/// slot -> buffer. A kernel takes from the table what its module declares.
+class BindingTable {
+ public:
+  void set(std::uint32_t slot, const Buffer& buffer);
+  [[nodiscard]] const Buffer* get(std::uint32_t slot) const;
+
+ private:
+  std::vector<const Buffer*> slots_;
+};
+
+struct Specialization {
+  std::uint32_t id;
+  std::uint32_t value;  // bits of a bool, int, uint or float constant
+};
+
+/// Bindings, push-constant size and texel kinds come from reflection of the module. Throws DeviceError.
+/// Constructing kernels from several threads at once is allowed (compilation is the slow part on lavapipe).
+class Kernel {
+ public:
+  Kernel() = default;
+  Kernel(Context& context, std::string label, std::span<const std::uint32_t> spirv,
+         std::span<const Specialization> specialization = {});
+  ~Kernel();
+  Kernel(Kernel&&) noexcept;
+  Kernel& operator=(Kernel&&) noexcept;
+
+  [[nodiscard]] const std::string& label() const { return label_; }
+  /// Invocations per workgroup along x after specialization.
+  [[nodiscard]] std::uint32_t workgroupSize() const;
+
+  struct Impl;
+  [[nodiscard]] Impl& impl() const { return *impl_; }
+
+ private:
+  std::unique_ptr<Impl> impl_;
+  std::string label_;
+};
+
+}  // namespace importon::gpu

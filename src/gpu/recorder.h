@@ -1,0 +1,60 @@
+/// Records dispatches in order, submits them, and keeps the time of each by label.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gpu/kernel.h"
+
+namespace importon::gpu {
+
+struct KernelTime {
+  std::string label;
+  std::uint64_t launches = 0;
+  double milliseconds = 0;  // device time by timestamps
+};
+
+/// Commands run in the order recorded; a full memory barrier stands between any two that touch buffers
+/// (compute, indirect read, transfer, host). Buffers and kernels must outlive the submission.
+class Recorder {
+ public:
+  explicit Recorder(Context& context);
+  ~Recorder();
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  /// Runs ceil(invocations / workgroupSize) workgroups along x (folded into y where x would pass the device's
+  /// limit; kernels compute their index by invocationIndex() of lib/dispatch.glsl and test it themselves).
+  void dispatch(const Kernel& kernel, const BindingTable& bindings, std::uint64_t invocations,
+                std::span<const std::byte> pushConstants = {});
+  /// Takes the three group counts from `arguments` at byte `offset`.
+  void dispatchIndirect(const Kernel& kernel, const BindingTable& bindings, const Buffer& arguments,
+                        std::uint64_t offset, std::span<const std::byte> pushConstants = {});
+  template <class Push>
+  void dispatch(const Kernel& kernel, const BindingTable& bindings, std::uint64_t invocations, const Push& push) {
+    dispatch(kernel, bindings, invocations, std::as_bytes(std::span(&push, 1)));
+  }
+  template <class Push>
+  void dispatchIndirect(const Kernel& kernel, const BindingTable& bindings, const Buffer& arguments,
+                        std::uint64_t offset, const Push& push) {
+    dispatchIndirect(kernel, bindings, arguments, offset, std::as_bytes(std::span(&push, 1)));
+  }
+
+  void fill(const Buffer& buffer, std::uint32_t value);                        // whole buffer
+  void copy(const Buffer& from, std::uint64_t fromOffset, const Buffer& to, std::uint64_t toOffset,
+            std::uint64_t bytes);
+
+  /// Submits what was recorded and waits until it is done. Throws DeviceError if the device is lost.
+  void submitAndWait();
+  /// Times since construction, in order of first use.
+  [[nodiscard]] std::vector<KernelTime> times() const;
+
+  struct Impl;
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace importon::gpu

@@ -1,0 +1,44 @@
+/// All settings of one render, as the command line gives them.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace importon {
+
+enum class Integrator { photon, path };
+enum class DensityControl { off, density };
+
+/// Unset optionals are chosen automatically. Names follow the options of `importon render`.
+struct RenderJob {
+  std::filesystem::path scene;
+  std::filesystem::path output;
+  std::filesystem::path png;                 // empty: none
+  std::optional<int> width, height;          // pixels
+  std::string camera;                        // name or index; empty: the first
+  Integrator integrator = Integrator::photon;
+  std::optional<int> passes;                 // at most
+  std::optional<double> seconds;             // wall clock since the process started
+  std::optional<std::uint32_t> photons;      // emitted per pass, at most
+  std::optional<std::uint32_t> importons;    // in all
+  DensityControl control = DensityControl::density;
+  double causticDensity = 20, globalDensity = 1.5;  // M_r, photons per pixel footprint
+  std::optional<double> constantDensity;     // photons/m², the same everywhere
+  int redistribute = 1;                      // M'
+  std::optional<int> gather;                 // final gather rays per pixel and pass
+  bool filtersIndirect = true;               // --indirect-filter auto, off
+  int maxDepth = 16;                         // scattering events
+  std::vector<std::string> aovs;
+  std::uint32_t seed = 0;
+  std::string device;
+  int threads = 0;                           // 0: all
+  std::optional<std::uint64_t> memoryMiB;    // cap for photon maps
+  std::filesystem::path stats;               // empty: none
+  bool validation = false;
+  bool forcesAllFeatures = false;            // every feature on: must give the same image
+  std::vector<std::string> commandLine;
+};
+
+}  // namespace importon

@@ -1,0 +1,21 @@
+/// Reads glTF 2.0 (.gltf, .glb) into a Scene.
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <span>
+
+#include "base/log.h"
+#include "scene/scene.h"
+
+namespace importon {
+
+/// Loads and validates. Throws SceneError (file, JSON pointer, what, what to do) on anything malformed, on
+/// unknown extensionsRequired, and when there is no triangle or no light. Warns once per kind on what is
+/// passed over (points, lines, unknown extensionsUsed, degenerate or non-finite triangles, ...).
+[[nodiscard]] Scene loadGltf(const std::filesystem::path& file, Log& log);
+
+/// The same from memory, for tests and fuzzing; `baseFolder` resolves relative URIs, empty: none allowed.
+[[nodiscard]] Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem::path& name,
+                                       const std::filesystem::path& baseFolder, Log& log);
+
+}  // namespace importon

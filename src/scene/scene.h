@@ -1,0 +1,44 @@
+/// A validated scene as plain data, in the layout of the device (shaders/shared/scene_data.h).
+#pragma once
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shared/scene_data.h"
+
+namespace importon {
+
+/// A glTF camera in the world. Looks along -z of worldFromCamera, y up.
+struct Camera {
+  std::string name;
+  bool isOrthographic = false;
+  double yfov = 0.8;           // radians, perspective
+  double aspectRatio = 0;      // 0: not given
+  double xmag = 1, ymag = 1;   // half extents in m, orthographic
+  glm::dmat4 worldFromCamera{1.0};  // rigid up to handedness; scale removed
+  int width = 0, height = 0;   // extras.width/height, 0: not given
+};
+
+/// Everything that a render needs. All instances are flattened into one list of triangles. Positions are in
+/// render space: world = render + worldFromRender, with the scene's centre near the origin.
+struct Scene {
+  std::filesystem::path file;
+  std::vector<vec3> positions;      // per vertex, render space
+  std::vector<Vertex> vertices;     // same length as positions
+  std::vector<Triangle> triangles;
+  std::vector<Material> materials;  // at least one: the glTF default material stands last if it is used
+  std::vector<std::string> materialNames;
+  std::vector<Texture> textures;
+  std::vector<uint> texels;         // RGBA8
+  std::vector<Light> lights;        // emissive triangles, punctual lights, environment
+  std::vector<uint> lightOfTriangle; // kNone where a triangle emits nothing; empty if no triangle emits
+  std::vector<Camera> cameras;
+  glm::dvec3 worldFromRender{0.0};
+  vec3 boundsMin{0}, boundsMax{0};  // render space
+  std::optional<vec3> environmentRadiance;  // W/(m² sr), constant environment
+  bool hasCameraInFile = true;      // false: cameras[0] was made to frame the scene
+};
+
+}  // namespace importon
