@@ -1,4 +1,4 @@
-/// Messages on stderr: notes, warnings counted by kind, and one progress line.
+/// Messages on stderr: notes, warnings counted by kind, and one progress line. No colours, so NO_COLOR holds.
 #pragma once
 #include <map>
 #include <mutex>
@@ -14,10 +14,11 @@ struct Warning {
   std::string message;  // the first of its kind
 };
 
-/// Passed by reference to whatever may speak; thread-safe. The first warning of a kind is printed,
-/// the rest are counted.
+/// Passed by reference to whatever may speak; thread-safe. The first warning of a kind is printed, the rest are
+/// counted, and the destructor tells how many there were.
 class Log {
  public:
+  /// quiet: warnings only; normal: notes and progress too; verbose: details too.
   enum class Verbosity { quiet, normal, verbose };
   explicit Log(Verbosity verbosity = Verbosity::normal);
   ~Log();
@@ -25,12 +26,12 @@ class Log {
   Log& operator=(const Log&) = delete;
 
   void warn(std::string_view kind, std::string_view message);
-  void note(std::string_view message);     // normal and verbose
-  void detail(std::string_view message);   // verbose only
+  void note(std::string_view message);    // normal and verbose
+  void detail(std::string_view message);  // verbose only
   /// Rewrites the progress line; shows nothing unless stderr is a terminal.
   void progress(std::string_view line);
   void endProgress();
-  [[nodiscard]] std::vector<Warning> warnings() const;
+  [[nodiscard]] std::vector<Warning> warnings() const;  // sorted by kind
 
  private:
   void print(std::string_view prefix, std::string_view message);
@@ -38,6 +39,7 @@ class Log {
   Verbosity verbosity_;
   bool isTerminal_ = false;
   bool hasProgressLine_ = false;
+  std::string progressLine_;
   std::map<std::string, Warning, std::less<>> warnings_;
 };
 
