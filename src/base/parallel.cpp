@@ -24,6 +24,9 @@ void parallelFor(std::size_t count, std::size_t grain, int threads,
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, chunks, runChunk); });
 }
 
-int threadCount(int threads) { return threads > 0 ? threads : tbb::this_task_arena::max_concurrency(); }
+int threadCount(int threads) {
+  const int available = tbb::this_task_arena::max_concurrency();
+  return threads > 0 ? std::min(threads, available) : available;
+}
 
 }  // namespace importon

@@ -12,7 +12,7 @@ namespace importon {
 void parallelFor(std::size_t count, std::size_t grain, int threads,
                  const std::function<void(std::size_t begin, std::size_t end)>& body);
 
-/// `threads`, or the number of threads this process may use when it is 0.
+/// The number of threads this process may use, or `threads` when that is less and not 0.
 [[nodiscard]] int threadCount(int threads);
 
 }  // namespace importon
