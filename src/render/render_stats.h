@@ -1,0 +1,52 @@
+/// What a render counts and measures, as plain data; `--stats` writes it as JSON (app/stats_file.h).
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace importon {
+
+/// Device time of all launches of one label.
+struct KernelStats {
+  std::string label;
+  std::uint64_t launches = 0;
+  double milliseconds = 0;
+};
+
+/// One photon map. Counts are sums over passes.
+struct PhotonMapStats {
+  std::uint64_t hits = 0;            // on surfaces of the kind that the map holds
+  std::uint64_t stored = 0;          // photons in the map that the gather reads
+  std::uint64_t redistributed = 0;   // hits that gave their power away
+  std::array<double, 3> fluxHits{};  // W per pass, RGB
+  std::array<double, 3> fluxMap{};   // W per pass, RGB, as it stands in the map
+};
+
+/// Wall-clock seconds.
+struct PhaseSeconds {
+  double total = 0, load = 0, bvh = 0, device = 0, importance = 0, photons = 0, gather = 0, output = 0;
+};
+
+/// What is known of the error; empty where nothing is.
+struct ErrorStats {
+  std::optional<double> estimated, relmse, relmseTrimmed, smape;
+};
+
+struct RenderStats {
+  std::string deviceName, deviceDriver, deviceType;
+  std::uint64_t triangles = 0, lights = 0;
+  std::vector<std::string> features;  // names of the features that are modelled
+  int width = 0, height = 0, passes = 0;
+  PhaseSeconds seconds;
+  std::vector<KernelStats> kernels;  // in order of first use
+  std::uint64_t closestRays = 0, shadowRays = 0;
+  std::uint64_t importonsEmitted = 0, importonsCaustic = 0, importonsGlobal = 0;
+  std::uint64_t photonsEmitted = 0;
+  PhotonMapStats caustic, global;
+  std::uint64_t devicePeakBytes = 0, photonMapBytes = 0, hostPeakBytes = 0;
+  ErrorStats error;
+};
+
+}  // namespace importon

@@ -1,0 +1,34 @@
+/// Renders a scene.
+#pragma once
+#include <atomic>
+#include <chrono>
+#include <functional>
+
+#include "base/log.h"
+#include "io/image.h"
+#include "render/render_job.h"
+#include "render/render_stats.h"
+#include "scene/scene.h"
+
+namespace importon {
+
+/// Told after every pass. Negative: not known.
+struct RenderProgress {
+  int pass = 0, passes = 0;
+  double seconds = 0, photonsPerSecond = 0, raysPerSecond = 0, secondsLeft = -1;
+};
+
+struct RenderResult {
+  Image image;
+  RenderStats stats;
+  bool wasInterrupted = false;
+};
+
+/// Renders until the job's limits are reached or `isInterrupted` turns true (asked between passes); then returns
+/// the image so far. `start` is when the process started: the job's seconds count from there. Throws DeviceError.
+[[nodiscard]] RenderResult render(const RenderJob& job, const Scene& scene, Log& log,
+                                  const std::atomic<bool>& isInterrupted,
+                                  const std::function<void(const RenderProgress&)>& progress,
+                                  std::chrono::steady_clock::time_point start);
+
+}  // namespace importon
