@@ -19,7 +19,7 @@ enum class TexelFormat { none, uint1, uint2, uint4, float1, float2, float4 };
 class Buffer {
  public:
   Buffer() = default;
-  /// Allocates at least 4 bytes, not initialised. Throws DeviceError when limits or memory do not allow it,
+  /// Allocates `bytes` rounded up to whole words or texels, at least one; not initialised. Throws DeviceError when limits or memory do not allow it,
   /// with need and limit.
   Buffer(Context& context, std::string name, std::uint64_t bytes, TexelFormat texels = TexelFormat::none);
   ~Buffer();

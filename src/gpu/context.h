@@ -30,6 +30,7 @@ struct Limits {
 struct ContextOptions {
   std::string device;        // name (part of it, any case) or index; empty: the default
   bool validation = false;   // validation layers with synchronization validation
+  bool stagesTransfers = false;  // copy through staging memory even where buffers can be mapped (for tests)
 };
 
 /// One device, one compute queue. Throws DeviceError.
@@ -56,7 +57,7 @@ class Context {
 };
 
 /// All devices of this machine, usable or not, with the default one marked: the first discrete GPU, else
-/// integrated, else a CPU device.
+/// integrated, else virtual, else a CPU device. Throws DeviceError when there is no driver or no device.
 [[nodiscard]] std::vector<DeviceInfo> listDevices();
 
 }  // namespace importon::gpu

@@ -1,9 +1,11 @@
 /// Records dispatches in order, submits them, and keeps the time of each by label.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "gpu/kernel.h"
@@ -16,8 +18,15 @@ struct KernelTime {
   double milliseconds = 0;  // device time by timestamps
 };
 
+/// A push-constant struct (not bytes that already stand for one).
+template <class T>
+concept PushConstants =
+    std::is_trivially_copyable_v<T> && sizeof(T) <= 128 && !std::is_convertible_v<T, std::span<const std::byte>>;
+
 /// Commands run in the order recorded; a full memory barrier stands between any two that touch buffers
-/// (compute, indirect read, transfer, host). Buffers and kernels must outlive the submission.
+/// (compute, indirect read, transfer, host). Buffers and kernels must outlive the submission. A long recording is
+/// submitted in pieces on the way. A push-constant size that is not the kernel's, a slot without buffer, or a copy
+/// past the end of a buffer is a std::logic_error; fills and copies are timed as "fill" and "copy".
 class Recorder {
  public:
   explicit Recorder(Context& context);
@@ -27,16 +36,17 @@ class Recorder {
 
   /// Runs ceil(invocations / workgroupSize) workgroups along x (folded into y where x would pass the device's
   /// limit; kernels compute their index by invocationIndex() of lib/dispatch.glsl and test it themselves).
+  /// Does nothing for 0 invocations.
   void dispatch(const Kernel& kernel, const BindingTable& bindings, std::uint64_t invocations,
                 std::span<const std::byte> pushConstants = {});
   /// Takes the three group counts from `arguments` at byte `offset`.
   void dispatchIndirect(const Kernel& kernel, const BindingTable& bindings, const Buffer& arguments,
                         std::uint64_t offset, std::span<const std::byte> pushConstants = {});
-  template <class Push>
+  template <PushConstants Push>
   void dispatch(const Kernel& kernel, const BindingTable& bindings, std::uint64_t invocations, const Push& push) {
     dispatch(kernel, bindings, invocations, std::as_bytes(std::span(&push, 1)));
   }
-  template <class Push>
+  template <PushConstants Push>
   void dispatchIndirect(const Kernel& kernel, const BindingTable& bindings, const Buffer& arguments,
                         std::uint64_t offset, const Push& push) {
     dispatchIndirect(kernel, bindings, arguments, offset, std::as_bytes(std::span(&push, 1)));

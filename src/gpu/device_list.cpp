@@ -1,0 +1,193 @@
+#include "gpu/device_list.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <string_view>
+
+#include "base/error.h"
+#include "gpu/validation.h"
+#include "gpu/vulkan_error.h"
+
+namespace importon::gpu {
+namespace {
+
+constexpr const char* kInstallDriver =
+    "install a Vulkan driver, e.g. the package mesa-vulkan-drivers, which also runs without a GPU";
+constexpr const char* kListDevices = "`importon devices` lists them";
+
+const char* typeName(VkPhysicalDeviceType type) {
+  switch (type) {
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return "discrete";
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return "integrated";
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return "virtual";
+    case VK_PHYSICAL_DEVICE_TYPE_CPU: return "cpu";
+    default: return "other";
+  }
+}
+
+bool hasComputeQueue(VkPhysicalDevice device) {
+  std::uint32_t count = 0;
+  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
+  std::vector<VkQueueFamilyProperties> families(count);
+  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
+  return std::any_of(families.begin(), families.end(), [](const VkQueueFamilyProperties& family) {
+    return (family.queueFlags & VK_QUEUE_COMPUTE_BIT) != 0;
+  });
+}
+
+/// Names of what our kernels need and the device does not have, comma separated.
+std::string missingFeatures(VkPhysicalDevice device, std::uint32_t apiVersion) {
+  if (apiVersion < VK_API_VERSION_1_2) return "Vulkan 1.2";
+  VkPhysicalDeviceVulkan12Features features12{};
+  features12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
+  VkPhysicalDeviceFeatures2 features{};
+  features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+  features.pNext = &features12;
+  vkGetPhysicalDeviceFeatures2(device, &features);
+  std::string missing;
+  const auto need = [&missing](bool has, const char* name) {
+    if (!has) missing += (missing.empty() ? "" : ", ") + std::string(name);
+  };
+  need(features12.scalarBlockLayout == VK_TRUE, "scalarBlockLayout");
+  need(hasComputeQueue(device), "compute queue");
+  return missing;
+}
+
+DeviceInfo describe(VkPhysicalDevice device) {
+  VkPhysicalDeviceDriverProperties driver{};
+  driver.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES;
+  VkPhysicalDeviceProperties2 properties{};
+  properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+  vkGetPhysicalDeviceProperties2(device, &properties);
+  if (properties.properties.apiVersion >= VK_API_VERSION_1_2) {
+    properties.pNext = &driver;
+    vkGetPhysicalDeviceProperties2(device, &properties);
+  }
+  DeviceInfo info;
+  info.name = properties.properties.deviceName;
+  info.driver = driver.driverName;
+  if (driver.driverInfo[0] != '\0') info.driver += " " + std::string(driver.driverInfo);
+  info.type = typeName(properties.properties.deviceType);
+  info.apiVersion = properties.properties.apiVersion;
+  info.missing = missingFeatures(device, info.apiVersion);
+  return info;
+}
+
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// devices.size() if no device is meant.
+std::size_t findDevice(std::span<const DeviceInfo> devices, const std::string& wanted) {
+  std::size_t index = 0;
+  const auto [end, failure] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
+  if (failure == std::errc{} && end == wanted.data() + wanted.size()) return std::min(index, devices.size());
+  const std::string part = lowerCase(wanted);
+  const auto isMeant = [&part](const DeviceInfo& device) {
+    return lowerCase(device.name).find(part) != std::string::npos;
+  };
+  const auto isMeantAndUsable = [&](const DeviceInfo& device) { return isMeant(device) && device.missing.empty(); };
+  auto found = std::find_if(devices.begin(), devices.end(), isMeantAndUsable);
+  if (found == devices.end()) found = std::find_if(devices.begin(), devices.end(), isMeant);
+  return static_cast<std::size_t>(found - devices.begin());
+}
+
+}  // namespace
+
+VkInstance createInstance(bool hasValidation, ValidationLog& log) {
+  if (hasValidation) requireValidationLayer();
+  VkApplicationInfo application{};
+  application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
+  application.pApplicationName = "importon";
+  application.apiVersion = VK_API_VERSION_1_2;
+
+  auto messenger = messengerInfo(log);
+  constexpr std::array kEnabled = {VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
+  VkValidationFeaturesEXT features{};
+  features.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT;
+  features.pNext = &messenger;
+  features.enabledValidationFeatureCount = static_cast<std::uint32_t>(kEnabled.size());
+  features.pEnabledValidationFeatures = kEnabled.data();
+  const char* const layer = kValidationLayer;
+  const char* const extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
+
+  VkInstanceCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
+  info.pApplicationInfo = &application;
+  if (hasValidation) {
+    info.pNext = &features;
+    info.enabledLayerCount = 1;
+    info.ppEnabledLayerNames = &layer;
+    info.enabledExtensionCount = 1;
+    info.ppEnabledExtensionNames = &extension;
+  }
+  VkInstance instance = VK_NULL_HANDLE;
+  const VkResult result = vkCreateInstance(&info, nullptr, &instance);
+  if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw DeviceError("no Vulkan driver was found", "", kInstallDriver);
+  check(result, "create a Vulkan instance", "");
+  return instance;
+}
+
+std::vector<PhysicalDevice> physicalDevices(VkInstance instance) {
+  std::uint32_t count = 0;
+  const VkResult result = vkEnumeratePhysicalDevices(instance, &count, nullptr);
+  if (result == VK_ERROR_INITIALIZATION_FAILED || (result == VK_SUCCESS && count == 0)) {
+    throw DeviceError("no Vulkan device was found", "", kInstallDriver);
+  }
+  check(result, "list the Vulkan devices", "");
+  std::vector<VkPhysicalDevice> handles(count);
+  check(vkEnumeratePhysicalDevices(instance, &count, handles.data()), "list the Vulkan devices", "");
+
+  std::vector<DeviceInfo> infos;
+  for (VkPhysicalDevice handle : handles) infos.push_back(describe(handle));
+  if (const std::size_t best = defaultDevice(infos); best < infos.size()) infos[best].isDefault = true;
+  std::vector<PhysicalDevice> devices;
+  for (std::size_t i = 0; i < handles.size(); ++i) devices.push_back({handles[i], infos[i]});
+  return devices;
+}
+
+std::size_t defaultDevice(std::span<const DeviceInfo> devices) {
+  for (const char* type : {"discrete", "integrated", "virtual", "cpu", "other"}) {
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+      if (devices[i].type == type && devices[i].missing.empty()) return i;
+    }
+  }
+  return devices.size();
+}
+
+std::size_t chooseDevice(std::span<const DeviceInfo> devices, const std::string& wanted) {
+  if (wanted.empty()) {
+    const std::size_t chosen = defaultDevice(devices);
+    if (chosen < devices.size()) return chosen;
+    if (devices.empty()) throw DeviceError("no Vulkan device was found", "", kInstallDriver);
+    throw DeviceError("no Vulkan device is usable: " + devices[0].missing + " is missing", devices[0].name,
+                      kInstallDriver);
+  }
+  const std::size_t chosen = findDevice(devices, wanted);
+  if (chosen == devices.size()) throw DeviceError("no Vulkan device is named '" + wanted + "'", "--device", kListDevices);
+  if (!devices[chosen].missing.empty()) {
+    throw DeviceError("the Vulkan device lacks " + devices[chosen].missing, devices[chosen].name,
+                      "choose another --device; " + std::string(kListDevices));
+  }
+  return chosen;
+}
+
+std::vector<DeviceInfo> listDevices() {
+  ValidationLog log;
+  const VkInstance instance = createInstance(false, log);
+  std::vector<DeviceInfo> infos;
+  try {
+    for (PhysicalDevice& device : physicalDevices(instance)) infos.push_back(std::move(device.info));
+  } catch (...) {
+    vkDestroyInstance(instance, nullptr);
+    throw;
+  }
+  vkDestroyInstance(instance, nullptr);
+  return infos;
+}
+
+}  // namespace importon::gpu

@@ -1,0 +1,154 @@
+#include "gpu/kernel.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "base/error.h"
+#include "gpu/kernel_impl.h"
+#include "gpu/vulkan_error.h"
+
+namespace importon::gpu {
+namespace {
+
+constexpr std::uint32_t kMaxPushConstantBytes = 128;   // the least that Vulkan promises
+constexpr std::uint32_t kDefaultWorkgroupSize = 64;
+
+/// The kernel's constants with the workgroup size among them.
+struct Constants {
+  std::vector<Specialization> values;
+  std::uint32_t workgroupSize = 1;
+};
+
+Constants constantsOf(const Reflection& module, std::span<const Specialization> specialization) {
+  Constants constants{{specialization.begin(), specialization.end()}, module.workgroupSize[0]};
+  if (!module.workgroupSizeXConstant) return constants;
+  const std::uint32_t id = *module.workgroupSizeXConstant;
+  const auto given = std::find_if(specialization.begin(), specialization.end(),
+                                  [id](const Specialization& s) { return s.id == id; });
+  if (given != specialization.end()) {
+    constants.workgroupSize = given->value;
+  } else if (module.workgroupSize[0] == 1) {
+    constants.workgroupSize = kDefaultWorkgroupSize;
+    constants.values.push_back({id, kDefaultWorkgroupSize});
+  }
+  return constants;
+}
+
+void checkLimits(const Limits& limits, const std::string& label, const Reflection& module,
+                 std::uint32_t workgroupSize) {
+  if (module.pushConstantBytes > kMaxPushConstantBytes) {
+    throw std::logic_error("kernel '" + label + "' has " + std::to_string(module.pushConstantBytes) +
+                           " bytes of push constants; " + std::to_string(kMaxPushConstantBytes) + " are allowed");
+  }
+  if (workgroupSize == 0 || workgroupSize > limits.maxWorkgroupSize) {
+    throw DeviceError("kernel '" + label + "' needs workgroups of " + std::to_string(workgroupSize) +
+                          ", but the device allows 1 to " + std::to_string(limits.maxWorkgroupSize),
+                      label, "choose another --device");
+  }
+}
+
+SetLayoutHandle createSetLayout(Device& device, const std::string& label, std::span<const ReflectedBinding> bindings) {
+  std::vector<VkDescriptorSetLayoutBinding> entries;
+  for (const ReflectedBinding& binding : bindings) {
+    entries.push_back({binding.slot, descriptorType(binding.kind), 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
+  }
+  VkDescriptorSetLayoutCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+  info.bindingCount = static_cast<std::uint32_t>(entries.size());
+  info.pBindings = entries.data();
+  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+  check(vkCreateDescriptorSetLayout(device.handle(), &info, nullptr, &layout), "create a descriptor layout", label);
+  return {device.handle(), layout};
+}
+
+PipelineLayoutHandle createPipelineLayout(Device& device, const std::string& label, VkDescriptorSetLayout set,
+                                          std::uint32_t pushConstantBytes) {
+  const VkPushConstantRange range{VK_SHADER_STAGE_COMPUTE_BIT, 0, pushConstantBytes};
+  VkPipelineLayoutCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+  info.setLayoutCount = 1;
+  info.pSetLayouts = &set;
+  info.pushConstantRangeCount = pushConstantBytes > 0 ? 1 : 0;
+  info.pPushConstantRanges = &range;
+  VkPipelineLayout layout = VK_NULL_HANDLE;
+  check(vkCreatePipelineLayout(device.handle(), &info, nullptr, &layout), "create a pipeline layout", label);
+  return {device.handle(), layout};
+}
+
+ShaderModuleHandle createModule(Device& device, const std::string& label, std::span<const std::uint32_t> spirv) {
+  VkShaderModuleCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+  info.codeSize = spirv.size_bytes();
+  info.pCode = spirv.data();
+  VkShaderModule module = VK_NULL_HANDLE;
+  check(vkCreateShaderModule(device.handle(), &info, nullptr, &module), "load kernel", label);
+  return {device.handle(), module};
+}
+
+PipelineHandle createPipeline(Device& device, const std::string& label, VkShaderModule module,
+                              VkPipelineLayout layout, std::span<const Specialization> constants) {
+  std::vector<VkSpecializationMapEntry> entries;
+  for (std::size_t i = 0; i < constants.size(); ++i) {
+    const auto offset = static_cast<std::uint32_t>(i * sizeof(Specialization) + offsetof(Specialization, value));
+    entries.push_back({constants[i].id, offset, sizeof(std::uint32_t)});
+  }
+  const VkSpecializationInfo specialization{static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                            constants.size_bytes(), constants.data()};
+  VkComputePipelineCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+  info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+  info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+  info.stage.module = module;
+  info.stage.pName = "main";
+  info.stage.pSpecializationInfo = &specialization;
+  info.layout = layout;
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  check(vkCreateComputePipelines(device.handle(), device.pipelineCache(), 1, &info, nullptr, &pipeline),
+        "compile kernel", label);
+  device.setDebugName(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(pipeline), label);
+  return {device.handle(), pipeline};
+}
+
+}  // namespace
+
+void BindingTable::set(std::uint32_t slot, const Buffer& buffer) {
+  if (slot >= slots_.size()) slots_.resize(slot + 1, nullptr);
+  slots_[slot] = &buffer;
+}
+
+const Buffer* BindingTable::get(std::uint32_t slot) const { return slot < slots_.size() ? slots_[slot] : nullptr; }
+
+VkDescriptorType descriptorType(BindingKind kind) {
+  switch (kind) {
+    case BindingKind::uniformBuffer: return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    case BindingKind::uniformTexelBuffer: return VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+    case BindingKind::storageBuffer: break;
+  }
+  return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+}
+
+Kernel::Kernel(Context& context, std::string label, std::span<const std::uint32_t> spirv,
+               std::span<const Specialization> specialization)
+    : impl_(std::make_unique<Impl>()), label_(std::move(label)) {
+  Reflection module = reflect(spirv);
+  const Constants constants = constantsOf(module, specialization);
+  checkLimits(context.limits(), label_, module, constants.workgroupSize);
+  impl_->device = context.impl().device;
+  Device& device = *impl_->device;
+  impl_->workgroupSize = constants.workgroupSize;
+  impl_->pushConstantBytes = module.pushConstantBytes;
+  impl_->setLayout = createSetLayout(device, label_, module.bindings);
+  impl_->bindings = std::move(module.bindings);
+  impl_->pipelineLayout =
+      createPipelineLayout(device, label_, impl_->setLayout.get(), impl_->pushConstantBytes);
+  const ShaderModuleHandle shader = createModule(device, label_, spirv);
+  impl_->pipeline = createPipeline(device, label_, shader.get(), impl_->pipelineLayout.get(), constants.values);
+}
+
+Kernel::~Kernel() = default;
+Kernel::Kernel(Kernel&&) noexcept = default;
+Kernel& Kernel::operator=(Kernel&&) noexcept = default;
+
+std::uint32_t Kernel::workgroupSize() const { return impl_->workgroupSize; }
+
+}  // namespace importon::gpu

@@ -1,0 +1,16 @@
+/// Vulkan results as DeviceErrors.
+#pragma once
+#include <string>
+
+#include <vulkan/vulkan.h>
+
+namespace importon::gpu {
+
+/// Throws DeviceError unless `result` is VK_SUCCESS. `doing` completes "cannot ..."; `where` names the device,
+/// the buffer or the dispatch.
+void check(VkResult result, const std::string& doing, const std::string& where);
+
+/// Throws the DeviceError that `result`, a failure, stands for.
+[[noreturn]] void throwDeviceError(VkResult result, const std::string& doing, const std::string& where);
+
+}  // namespace importon::gpu
