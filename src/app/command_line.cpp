@@ -1,0 +1,124 @@
+#include "app/command_line.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "CLI/CLI.hpp"
+#include "app/option_checks.h"
+#include "app/render_options.h"
+#include "base/error.h"
+
+namespace importon {
+namespace {
+
+/// All commands with the targets of their options.
+struct Parser {
+  CLI::App app{
+      "importon renders glTF 2.0 scenes by importance-driven photon mapping.\n"
+      "`importon SCENE -o OUT.exr` is short for `importon render SCENE -o OUT.exr`.",
+      "importon"};
+  RenderCommand render;
+  InfoCommand info;
+  CompareCommand compare;
+  CLI::App *renderApp = nullptr, *infoApp = nullptr, *compareApp = nullptr, *devicesApp = nullptr;
+
+  Parser();
+  void addInfo();
+  void addCompare();
+  [[nodiscard]] Command chosen() const;
+};
+
+Parser::Parser() {
+  constexpr std::size_t kColumn = 30;
+  app.get_formatter()->column_width(kColumn);
+  app.require_subcommand(1);
+  app.set_version_flag("--version", std::string(IMPORTON_VERSION));
+  app.footer(
+      "Exit status: 0 done; 1 usage; 2 scene; 3 device; 4 output; 5 a limit of compare exceeded;\n"
+      "130 interrupted, after the image so far was written.");
+  renderApp = app.add_subcommand("render", "render SCENE to an OpenEXR file");
+  addRenderOptions(*renderApp, render);
+  addInfo();
+  addCompare();
+  devicesApp = app.add_subcommand("devices", "list the Vulkan devices, with the one that would be used");
+}
+
+void Parser::addInfo() {
+  infoApp = app.add_subcommand("info", "print what SCENE holds, and which transport it needs and why");
+  infoApp->add_option("SCENE", info.job.scene, "the scene, .gltf or .glb")
+      ->required()
+      ->check(notEmpty())
+      ->type_name("");
+  infoApp->add_flag("--json", info.isJson, "as JSON");
+}
+
+void Parser::addCompare() {
+  compareApp = app.add_subcommand(
+      "compare", "print relMSE, trimmed relMSE, SMAPE, RMSE, mean ratio and FLIP of A.exr against REF.exr");
+  compareApp->add_option("A.exr", compare.image, "the image")->required()->check(notEmpty())->type_name("");
+  compareApp->add_option("REF.exr", compare.reference, "the reference")
+      ->required()
+      ->check(notEmpty())
+      ->type_name("");
+  compareApp->add_flag("--json", compare.isJson, "as JSON");
+  compareApp
+      ->add_option("--max-relmse", compare.maxRelmse, "exit with 5 when relMSE is above (default: no limit)")
+      ->check(notNegative(""))
+      ->type_name("X");
+  compareApp->add_option("--max-flip", compare.maxFlip, "exit with 5 when FLIP is above (default: no limit)")
+      ->check(notNegative(""))
+      ->type_name("X");
+  compareApp
+      ->add_option("--floor", compare.floor,
+                   "absolute floor in the denominator of relMSE\n(default: 0.01·mean(R)²)")
+      ->check(notNegative(""))
+      ->type_name("X");
+}
+
+Command Parser::chosen() const {
+  if (renderApp->parsed()) {
+    checkRenderCommand(render);
+    return render;
+  }
+  if (infoApp->parsed()) return info;
+  if (compareApp->parsed()) return compare;
+  return DevicesCommand{};
+}
+
+/// Puts `render` before what is no command.
+std::vector<std::string> withCommand(std::span<const std::string> arguments) {
+  constexpr std::array<std::string_view, 7> kFirstWords{"render", "info", "compare",  "devices",
+                                                        "--help", "-h",   "--version"};
+  std::vector<std::string> words(arguments.begin(), arguments.end());
+  if (std::find(kFirstWords.begin(), kFirstWords.end(), words.front()) == kFirstWords.end()) {
+    words.insert(words.begin(), "render");
+  }
+  return words;
+}
+
+}  // namespace
+
+Command parseCommandLine(std::span<const std::string> arguments) {
+  if (arguments.empty()) throw UsageError("no arguments", "command line", "see importon --help");
+  Parser parser;
+  std::vector<std::string> words = withCommand(arguments);
+  const std::string seeHelp =
+      "see importon " + (words.front().starts_with('-') ? "" : words.front() + " ") + "--help";
+  parser.render.job.commandLine.assign(arguments.begin(), arguments.end());
+  std::reverse(words.begin(), words.end());  // CLI11 takes them from the end
+  try {
+    parser.app.parse(words);
+  } catch (const CLI::CallForVersion&) {
+    return TextCommand{std::string("importon ") + IMPORTON_VERSION + "\n"};
+  } catch (const CLI::CallForHelp&) {
+    const bool isForOne = !parser.app.get_subcommands().empty();
+    return TextCommand{parser.app.help("", isForOne ? CLI::AppFormatMode::Normal : CLI::AppFormatMode::All)};
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what(), "command line", seeHelp);
+  }
+  return parser.chosen();
+}
+
+}  // namespace importon

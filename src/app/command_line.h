@@ -1,0 +1,44 @@
+/// The command line as data.
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+
+#include "base/log.h"
+#include "render/render_job.h"
+
+namespace importon {
+
+struct RenderCommand {
+  RenderJob job;
+  Log::Verbosity verbosity = Log::Verbosity::normal;
+};
+
+struct InfoCommand {
+  RenderJob job;  // only what the transport depends on is set
+  bool isJson = false;
+};
+
+struct CompareCommand {
+  std::filesystem::path image, reference;
+  bool isJson = false;
+  std::optional<double> maxRelmse, maxFlip;
+  std::optional<double> floor;  // absolute, in the denominator of relMSE
+};
+
+struct DevicesCommand {};
+
+/// --help and --version: text for stdout.
+struct TextCommand {
+  std::string text;
+};
+
+using Command = std::variant<RenderCommand, InfoCommand, CompareCommand, DevicesCommand, TextCommand>;
+
+/// Reads the arguments after the program's name. `importon SCENE ...` is short for `importon render SCENE ...`.
+/// Throws UsageError on anything unknown, out of range or contradictory.
+[[nodiscard]] Command parseCommandLine(std::span<const std::string> arguments);
+
+}  // namespace importon

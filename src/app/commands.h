@@ -1,0 +1,25 @@
+/// What each command of the command line does.
+#pragma once
+#include <atomic>
+#include <chrono>
+
+#include "app/command_line.h"
+#include "base/error.h"
+
+namespace importon {
+
+/// Loads, renders and writes. `start` is when the process started. Every output is checked before anything is
+/// loaded. Throws SceneError, DeviceError and OutputError.
+[[nodiscard]] ExitStatus runRender(const RenderCommand& command, const std::atomic<bool>& isInterrupted,
+                                   std::chrono::steady_clock::time_point start);
+
+/// Prints to stdout. Throws SceneError.
+[[nodiscard]] ExitStatus runInfo(const InfoCommand& command);
+
+/// Prints to stdout; ExitStatus::limitExceeded when a limit is. Throws SceneError.
+[[nodiscard]] ExitStatus runCompare(const CompareCommand& command);
+
+/// Prints to stdout. Throws DeviceError when there is no device.
+[[nodiscard]] ExitStatus runDevices();
+
+}  // namespace importon

@@ -1,0 +1,18 @@
+#include <cstdio>
+
+#include "app/commands.h"
+#include "app/scene_summary.h"
+#include "render/features.h"
+#include "scene/gltf_loader.h"
+
+namespace importon {
+
+ExitStatus runInfo(const InfoCommand& command) {
+  Log log;
+  const Scene scene = loadGltf(command.job.scene, log);
+  const std::vector<FeatureRow> features = describeFeatures(scene, command.job);
+  std::fputs((command.isJson ? summaryJson(scene, features) : summaryText(scene, features)).c_str(), stdout);
+  return ExitStatus::ok;
+}
+
+}  // namespace importon

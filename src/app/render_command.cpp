@@ -1,0 +1,95 @@
+#include <sys/resource.h>
+
+#include "app/commands.h"
+#include "app/progress.h"
+#include "app/stats_file.h"
+#include "fmt/format.h"
+#include "io/image.h"
+#include "io/output_file.h"
+#include "render/renderer.h"
+#include "scene/gltf_loader.h"
+
+namespace importon {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void checkOutputs(const RenderJob& job) {
+  for (const std::filesystem::path& file : {job.output, job.png, job.stats}) {
+    if (!file.empty()) checkWritable(file);
+  }
+}
+
+/// Photon options that the path tracer has no use for are told of, not passed over in silence.
+void warnOfUnusedOptions(const RenderJob& job, Log& log) {
+  if (job.integrator != Integrator::path) return;
+  const auto warnIf = [&](bool isGiven, const char* option) {
+    if (isGiven) log.warn("unused option", fmt::format("{} means nothing to --integrator path", option));
+  };
+  warnIf(job.photons.has_value(), "--photons");
+  warnIf(job.importons.has_value(), "--importons");
+  warnIf(job.gather.has_value(), "--gather");
+  warnIf(job.constantDensity.has_value(), "--constant-density");
+}
+
+/// Nothing that changes from run to run, so that the same job gives the same bytes.
+void addAttributes(const RenderJob& job, RenderResult& result) {
+  auto& attributes = result.image.attributes;
+  attributes["importon:version"] = IMPORTON_VERSION;
+  attributes["importon:scene"] = job.scene.filename().string();
+  attributes["importon:seed"] = std::to_string(job.seed);
+  attributes["importon:passes"] = std::to_string(result.stats.passes);
+  attributes["importon:device"] = result.stats.deviceName;
+}
+
+std::uint64_t peakHostBytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts KiB
+}
+
+void writeOutputs(const RenderJob& job, const Log& log, RenderResult& result, Clock::time_point start) {
+  const Clock::time_point outputStart = Clock::now();
+  addAttributes(job, result);
+  writeExr(job.output, result.image);
+  if (!job.png.empty()) writePng(job.png, result.image);
+  if (job.stats.empty()) return;
+  result.stats.hostPeakBytes = peakHostBytes();
+  result.stats.seconds.output = secondsSince(outputStart);
+  result.stats.seconds.total = secondsSince(start);
+  writeTextFile(job.stats, statsJson(job, result.stats, log.warnings()));
+}
+
+}  // namespace
+
+ExitStatus runRender(const RenderCommand& command, const std::atomic<bool>& isInterrupted,
+                     Clock::time_point start) {
+  const RenderJob& job = command.job;
+  checkOutputs(job);
+  Log log(command.verbosity);
+  warnOfUnusedOptions(job, log);
+
+  const Clock::time_point loadStart = Clock::now();
+  const Scene scene = loadGltf(job.scene, log);
+  const double loadSeconds = secondsSince(loadStart);
+  if (!scene.hasCameraInFile) log.note("the scene has no camera: it is seen from one that frames it");
+
+  const auto showProgress = [&log](const RenderProgress& progress) { log.progress(progressLine(progress)); };
+  RenderResult result = render(job, scene, log, isInterrupted, showProgress, start);
+  log.endProgress();
+  result.stats.seconds.load = loadSeconds;
+
+  if (result.wasInterrupted && result.stats.passes == 0) {
+    log.note("interrupted before the first pass was done: no image is written");
+    return ExitStatus::interrupted;
+  }
+  writeOutputs(job, log, result, start);
+  log.detail(fmt::format("{} passes in {:.2f} s", result.stats.passes, secondsSince(start)));
+  return result.wasInterrupted ? ExitStatus::interrupted : ExitStatus::ok;
+}
+
+}  // namespace importon

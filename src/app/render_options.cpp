@@ -1,0 +1,248 @@
+#include "app/render_options.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "app/option_checks.h"
+#include "base/error.h"
+#include "fmt/format.h"
+#include "render/aov_names.h"
+
+namespace importon {
+namespace {
+
+constexpr std::int64_t kMostPixelsWide = 65536, kMostPasses = 1'000'000, kMostPaths = 1 << 30,
+                       kMostThreads = 4096;
+constexpr std::int64_t kMostDepth = 1000, kMostGatherRays = 65536, kMostReceivers = 64, kMostMiB = 1 << 30;
+constexpr std::int64_t kMostSeed = std::numeric_limits<std::uint32_t>::max();
+
+/// "a, b, c": for the help.
+std::string listOf(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ",") + name;
+  return list;
+}
+
+std::vector<std::string> aovNames() { return {kAovNames.begin(), kAovNames.end()}; }
+
+template <class Value>
+std::string withDefault(const std::string& help, Value value) {
+  return fmt::format("{} (default: {})", help, value);
+}
+
+/// An option whose value is one of a few names; `assign` takes the value that belongs to the name.
+template <class Value>
+CLI::Option* addChoice(CLI::App& app, const std::string& name, std::map<std::string, Value> choices,
+                       Value& target, const std::string& help) {
+  const auto assign = [choices, &target](const std::string& text) { target = choices.at(text); };
+  std::vector<std::string> names;
+  for (const auto& [choice, value] : choices) names.push_back(choice);
+  return app.add_option_function<std::string>(name, assign, help)
+      ->check(oneOf(names))
+      ->type_name(listOf(names));
+}
+
+void addOutputOptions(CLI::App& app, RenderCommand& command) {
+  RenderJob& job = command.job;
+  const std::string group = "Output";
+  app.add_option("-o,--output", job.output, "linear RGB OpenEXR, 32-bit float, with a layer for each AOV")
+      ->required()
+      ->check(notEmpty())
+      ->type_name("F.exr")
+      ->group(group);
+  app.add_option("--png", job.png, "tone-mapped preview beside it (default: none)")
+      ->check(notEmpty())
+      ->type_name("F.png")
+      ->group(group);
+  app.add_option_function<std::string>(
+         "--aov", [&job](const std::string& list) { job.aovs = splitNames(list, aovNames(), "--aov"); },
+         "extra layers, comma separated (default: none), of\nalbedo N P depth direct caustic indirect emission "
+         "variance\n"
+         "importance.caustic importance.global required.caustic\nrequired.global density.caustic "
+         "density.global")
+      ->type_name("LIST")
+      ->group(group);
+  app.add_option("--stats", job.stats, "counts, times and warnings as JSON (default: none)")
+      ->check(notEmpty())
+      ->type_name("F.json")
+      ->group(group);
+}
+
+void addImageOptions(CLI::App& app, RenderJob& job) {
+  const std::string group = "Image";
+  app.add_option("--width", job.width, "width of the image (default: the camera's extras.width, else 640)")
+      ->check(wholeNumber(1, kMostPixelsWide, "pixels"))
+      ->type_name("PIXELS")
+      ->group(group);
+  app.add_option("--height", job.height, "height of the image (default: by the camera's aspect ratio)")
+      ->check(wholeNumber(1, kMostPixelsWide, "pixels"))
+      ->type_name("PIXELS")
+      ->group(group);
+  app.add_option("--camera", job.camera, "which glTF camera, by name or index (default: the first)")
+      ->type_name("NAME")
+      ->group(group);
+}
+
+void addStoppingOptions(CLI::App& app, RenderJob& job) {
+  const std::string group = "When to stop (whichever comes first)";
+  app.add_option("--passes", job.passes, "after so many passes (default: 64, without limit if --time is given)")
+      ->check(wholeNumber(1, kMostPasses, "passes"))
+      ->type_name("N")
+      ->group(group);
+  app.add_option("--time", job.seconds, "after so long, start-up counted (default: no limit)")
+      ->check(positive("seconds"))
+      ->type_name("SECONDS")
+      ->group(group);
+}
+
+void addMethodOptions(CLI::App& app, RenderJob& job) {
+  const std::string group = "Method";
+  addChoice<Integrator>(app, "--integrator", {{"photon", Integrator::photon}, {"path", Integrator::path}},
+                        job.integrator,
+                        "importance-driven photon map, or the unbiased path tracer\nthat serves as reference "
+                        "(default: photon)")
+      ->group(group);
+  app.add_option("--photons", job.photons, "photons emitted per pass at most (default: automatic)")
+      ->check(wholeNumber(1, kMostPaths, "photons"))
+      ->type_name("N")
+      ->group(group);
+  app.add_option("--importons", job.importons, "importons traced per pass (default: automatic)")
+      ->check(wholeNumber(1, kMostPaths, "importons"))
+      ->type_name("N")
+      ->group(group);
+  app.add_option("--gather", job.gather, "final gather rays per pixel and pass (default: automatic)")
+      ->check(wholeNumber(1, kMostGatherRays, "rays"))
+      ->type_name("N")
+      ->group(group);
+  addChoice<bool>(
+      app, "--indirect-filter", {{"auto", true}, {"off", false}}, job.filtersIndirect,
+      "share gathered irradiance among neighbouring visible points,\nwith a radius that shrinks with "
+      "the error (default: auto)")
+      ->group(group);
+  app.add_option("--max-depth", job.maxDepth, withDefault("longest path, in scattering events", job.maxDepth))
+      ->check(wholeNumber(1, kMostDepth, "events"))
+      ->type_name("N")
+      ->group(group);
+  app.add_option("--seed", job.seed, withDefault("same seed, device and options: the same bits", job.seed))
+      ->check(wholeNumber(0, kMostSeed, ""))
+      ->type_name("N")
+      ->group(group);
+}
+
+void addDensityOptions(CLI::App& app, RenderJob& job) {
+  const std::string group = "Density control";
+  addChoice<DensityControl>(app, "--control",
+                            {{"off", DensityControl::off}, {"density", DensityControl::density}}, job.control,
+                            "store all photons, or store or redistribute each by the\nrequired density "
+                            "(default: density)")
+      ->group(group);
+  app.add_option("--caustic-density", job.causticDensity,
+                 withDefault("required in the caustic map, photons per pixel footprint", job.causticDensity))
+      ->check(positive("photons"))
+      ->type_name("M")
+      ->group(group);
+  app.add_option("--global-density", job.globalDensity,
+                 withDefault("required in the global map, photons per pixel footprint", job.globalDensity))
+      ->check(positive("photons"))
+      ->type_name("M")
+      ->group(group);
+  app.add_option("--constant-density", job.constantDensity,
+                 "the same required density everywhere, photons/m²\n(default: off, by importance)")
+      ->check(positive("photons/m²"))
+      ->type_name("D")
+      ->group(group);
+  app.add_option("--redistribute", job.redistribute,
+                 withDefault("stored photons that share a rejected photon's power", job.redistribute))
+      ->check(wholeNumber(1, kMostReceivers, "photons"))
+      ->type_name("M")
+      ->group(group);
+}
+
+void addMachineOptions(CLI::App& app, RenderCommand& command) {
+  RenderJob& job = command.job;
+  const std::string group = "Machine";
+  app.add_option(
+         "--device", job.device,
+         "Vulkan device, by name or index, see `importon devices`\n(default: the first discrete GPU, else "
+         "integrated, else a CPU)")
+      ->check(notEmpty())
+      ->type_name("NAME")
+      ->group(group);
+  app.add_option("--threads", job.threads, "host threads (default: all)")
+      ->check(wholeNumber(1, kMostThreads, "threads"))
+      ->type_name("N")
+      ->group(group);
+  app.add_option(
+         "--memory", job.memoryMiB,
+         "cap on device memory for photon maps; past it they are\ncontrolled harder, with a warning (default: "
+         "a quarter of the heap)")
+      ->check(wholeNumber(1, kMostMiB, "MiB"))
+      ->type_name("MIB")
+      ->group(group);
+}
+
+void addMessageOptions(CLI::App& app, RenderCommand& command) {
+  const std::string group = "Messages and checks";
+  const auto set = [&command](Log::Verbosity verbosity) {
+    if (command.verbosity != Log::Verbosity::normal) {
+      throw UsageError("--quiet and --verbose contradict each other", "command line", "leave one of them out");
+    }
+    command.verbosity = verbosity;
+  };
+  app.add_flag_callback(
+         "-q,--quiet", [=] { set(Log::Verbosity::quiet); }, "warnings and errors only")
+      ->group(group);
+  app.add_flag_callback(
+         "-v,--verbose", [=] { set(Log::Verbosity::verbose); }, "say more")
+      ->group(group);
+  app.add_flag("--validation", command.job.validation, "Vulkan validation layers")->group(group);
+  app.add_flag("--all-features", command.job.forcesAllFeatures,
+               "model every feature, whether the scene needs it or not:\nslower, the same image")
+      ->group(group);
+}
+
+bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code error;
+  return std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+}
+
+}  // namespace
+
+void addRenderOptions(CLI::App& app, RenderCommand& command) {
+  app.add_option("SCENE", command.job.scene, "the scene, .gltf or .glb")
+      ->required()
+      ->check(notEmpty())
+      ->type_name("");
+  addOutputOptions(app, command);
+  addImageOptions(app, command.job);
+  addStoppingOptions(app, command.job);
+  addMethodOptions(app, command.job);
+  addDensityOptions(app, command.job);
+  addMachineOptions(app, command);
+  addMessageOptions(app, command);
+}
+
+void checkRenderCommand(const RenderCommand& command) {
+  const RenderJob& job = command.job;
+  using Named = std::pair<const char*, const std::filesystem::path*>;
+  const std::array<Named, 4> files{Named{"SCENE", &job.scene}, Named{"--output", &job.output},
+                                   Named{"--png", &job.png}, Named{"--stats", &job.stats}};
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    for (std::size_t j = i + 1; j < files.size(); ++j) {
+      if (files[i].second->empty() || files[j].second->empty()) continue;
+      if (isSameFile(*files[i].second, *files[j].second)) {
+        throw UsageError(std::string(files[i].first) + " and " + files[j].first + " are the same file",
+                         files[j].second->string(), "give each its own name");
+      }
+    }
+  }
+  if (job.constantDensity && job.control == DensityControl::off) {
+    throw UsageError("--constant-density needs density control, which --control off leaves out", "command line",
+                     "leave one of them out");
+  }
+}
+
+}  // namespace importon

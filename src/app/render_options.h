@@ -1,0 +1,17 @@
+/// The options of `importon render`.
+#pragma once
+#include <memory>
+
+#include "CLI/CLI.hpp"
+#include "app/command_line.h"
+
+namespace importon {
+
+/// Declares the options on `app`; parsing writes to `command`, which must outlive `app`.
+void addRenderOptions(CLI::App& app, RenderCommand& command);
+
+/// What no single option can check: outputs that name the same file or the scene, options that contradict each
+/// other. Throws UsageError.
+void checkRenderCommand(const RenderCommand& command);
+
+}  // namespace importon

@@ -1,0 +1,23 @@
+/// The extra layers that `--aov` offers.
+#pragma once
+#include <array>
+
+namespace importon {
+
+inline constexpr std::array kAovNames{"albedo",
+                                      "N",
+                                      "P",
+                                      "depth",
+                                      "direct",
+                                      "caustic",
+                                      "indirect",
+                                      "emission",
+                                      "variance",
+                                      "importance.caustic",
+                                      "importance.global",
+                                      "required.caustic",
+                                      "required.global",
+                                      "density.caustic",
+                                      "density.global"};
+
+}  // namespace importon

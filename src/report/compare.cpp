@@ -1,0 +1,113 @@
+#include "report/compare.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "base/error.h"
+#include "fmt/format.h"
+#include "io/tone_map.h"
+#include "report/flip.h"
+
+namespace importon {
+namespace {
+
+using Rgb = std::array<std::span<const float>, 3>;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+bool isFinite(const Rgb& rgb, std::size_t pixel) {
+  return std::all_of(rgb.begin(), rgb.end(), [&](const auto& plane) { return std::isfinite(plane[pixel]); });
+}
+
+/// Mean over the channels of the pixels with `isCounted`; 0 if there are none.
+double meanOf(const Rgb& rgb, const std::vector<bool>& isCounted) {
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < isCounted.size(); ++i) {
+    if (!isCounted[i]) continue;
+    for (const auto& plane : rgb) sum += static_cast<double>(plane[i]);
+    count += 3;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+/// Numerator over denominator, where nothing over nothing is `ofNothing`.
+double ratio(double numerator, double denominator, double ofNothing) {
+  return numerator == 0 && denominator == 0 ? ofNothing : numerator / denominator;
+}
+
+/// Errors of one pixel, each a mean over the channels.
+struct PixelError {
+  double relative = 0, squared = 0, symmetric = 0;
+};
+
+PixelError pixelError(const Rgb& image, const Rgb& reference, std::size_t pixel, double floor) {
+  PixelError error;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double i = static_cast<double>(image[c][pixel]), r = static_cast<double>(reference[c][pixel]);
+    const double squared = (i - r) * (i - r);
+    error.relative += ratio(squared, r * r + floor, 0) / 3;
+    error.squared += squared / 3;
+    error.symmetric += ratio(std::abs(i - r), std::abs(i) + std::abs(r), 0) / 3;
+  }
+  return error;
+}
+
+/// Mean of all but the greatest thousandth.
+double trimmedMean(std::vector<double> values) {
+  const std::size_t kept = values.size() - values.size() / 1000;
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(kept - 1), values.end());
+  double sum = 0;
+  for (std::size_t i = 0; i < kept; ++i) sum += values[i];
+  return sum / static_cast<double>(kept);
+}
+
+void checkSizes(const Image& image, const std::string& imageName, const Image& reference,
+                const std::string& referenceName) {
+  if (image.width == reference.width && image.height == reference.height) return;
+  throw SceneError(fmt::format("the image has {} x {} pixels, the reference {} x {}", image.width, image.height,
+                               reference.width, reference.height),
+                   imageName + ", " + referenceName, "render both at the same size");
+}
+
+}  // namespace
+
+Comparison compareImages(const Image& image, const std::string& imageName, const Image& reference,
+                         const std::string& referenceName, std::optional<double> floor) {
+  checkSizes(image, imageName, reference, referenceName);
+  const Rgb shown = rgbOf(image, imageName), truth = rgbOf(reference, referenceName);
+  const std::size_t pixels = truth[0].size();
+  std::vector<bool> hasTruth(pixels), isCounted(pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    hasTruth[i] = isFinite(truth, i);
+    isCounted[i] = hasTruth[i] && isFinite(shown, i);
+  }
+  const double meanTruth = meanOf(truth, hasTruth);
+  const double usedFloor = floor.value_or(0.01 * meanTruth * meanTruth);
+
+  Comparison result;
+  double relative = 0, squared = 0, symmetric = 0;
+  std::vector<double> relativeErrors(pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const PixelError error =
+        isCounted[i] ? pixelError(shown, truth, i, usedFloor) : PixelError{kInfinity, kInfinity, 1};
+    result.nonFinitePixels += isCounted[i] ? 0 : 1;
+    relativeErrors[i] = error.relative;
+    relative += error.relative;
+    squared += error.squared;
+    symmetric += error.symmetric;
+  }
+  const auto count = static_cast<double>(pixels);
+  result.relmse = relative / count;
+  result.relmseTrimmed = trimmedMean(std::move(relativeErrors));
+  result.smape = symmetric / count;
+  result.rmse = std::sqrt(squared / count);
+  result.meanRatio = ratio(meanOf(shown, isCounted), meanOf(truth, isCounted), 1);
+  const float exposure = autoExposure(reference, referenceName);
+  result.flip = ldrFlip(toneMapped(image, exposure, imageName), toneMapped(reference, exposure, referenceName));
+  return result;
+}
+
+}  // namespace importon
