@@ -1,0 +1,1 @@
+"""Builds the project's own scenes; run scenes/make_scenes.py."""
