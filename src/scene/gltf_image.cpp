@@ -1,0 +1,82 @@
+#include "scene/gltf_image.h"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <map>
+#include <span>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "scene/image_decode.h"
+
+namespace importon {
+namespace {
+
+/// An image and its place among the texels.
+struct ImageUse {
+  std::span<const unsigned char> bytes;
+  std::string where;
+  ImageSize size;
+  std::size_t firstTexel = 0;
+};
+
+std::span<const unsigned char> encodedBytes(const tinygltf::Model& model, std::size_t image) {
+  const tinygltf::Image& source = model.images[image];
+  if (source.bufferView < 0) return source.image;
+  const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(source.bufferView)];
+  const std::vector<unsigned char>& buffer = model.buffers[static_cast<std::size_t>(view.buffer)].data;
+  return std::span(buffer).subspan(view.byteOffset, view.byteLength);
+}
+
+/// Decodes all; of several errors the first in the file is thrown, whatever the threads do.
+void decodeAll(const std::vector<ImageUse>& images, std::vector<uint>& texels) {
+  std::vector<std::exception_ptr> errors(images.size());
+  parallelFor(images.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      try {
+        const ImageUse& image = images[i];
+        decodeImage(image.bytes, std::span(texels).subspan(image.firstTexel, image.size.texels()), image.where);
+      } catch (...) {
+        errors[i] = std::current_exception();
+      }
+    }
+  });
+  for (const std::exception_ptr& error : errors) {
+    if (error) std::rethrow_exception(error);
+  }
+}
+
+}  // namespace
+
+std::vector<uint> loadTexels(const GltfDocument& document, MaterialSet& set) {
+  constexpr std::size_t kMostTexels = std::size_t{1} << 28;
+  std::map<std::size_t, std::size_t> useOfImage;
+  std::vector<ImageUse> images;
+  std::size_t texelCount = 0;
+  for (std::size_t t = 0; t < set.textures.size(); ++t) {
+    const std::size_t image = set.imageOfTexture[t];
+    if (!useOfImage.emplace(image, images.size()).second) continue;
+    ImageUse use{
+        encodedBytes(document.model, image), document.source.at(fmt::format("/images/{}", image)), {}, 0};
+    use.size = readImageSize(use.bytes, use.where);
+    use.firstTexel = texelCount;
+    texelCount += use.size.texels();
+    if (texelCount > kMostTexels) {
+      throw SceneError(fmt::format("the images have more than {} texels in all", kMostTexels), use.where,
+                       "reduce the images");
+    }
+    images.push_back(std::move(use));
+  }
+  std::vector<uint> texels(texelCount);
+  decodeAll(images, texels);
+  for (std::size_t t = 0; t < set.textures.size(); ++t) {
+    const ImageUse& use = images[useOfImage.at(set.imageOfTexture[t])];
+    set.textures[t].firstTexel = static_cast<uint>(use.firstTexel);
+    set.textures[t].width = static_cast<uint>(use.size.width);
+    set.textures[t].height = static_cast<uint>(use.size.height);
+  }
+  return texels;
+}
+
+}  // namespace importon

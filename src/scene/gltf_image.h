@@ -1,0 +1,15 @@
+/// The texels of the images that materials use.
+#pragma once
+#include <vector>
+
+#include "scene/gltf_document.h"
+#include "scene/gltf_material.h"
+#include "shared/scene_data.h"
+
+namespace importon {
+
+/// Decodes each image that `set` uses once, on all host threads, and gives its textures their place and size in
+/// the result (RGBA8). Throws SceneError.
+[[nodiscard]] std::vector<uint> loadTexels(const GltfDocument& document, MaterialSet& set);
+
+}  // namespace importon

@@ -1,0 +1,40 @@
+/// Uses of images by materials.
+#pragma once
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "base/log.h"
+#include "scene/gltf_document.h"
+#include "shared/scene_data.h"
+
+namespace importon {
+
+enum class ColorMeaning { linear, srgb };
+
+/// Collects textures: equal uses of an image share one entry.
+class TextureTable {
+ public:
+  TextureTable(const GltfDocument& document, Log& log) : document_(document), log_(log) {}
+
+  /// The index of the texture that a textureInfo at `pointer` means; kNone if `info` is null or names no image
+  /// that can be read. Throws SceneError.
+  [[nodiscard]] uint use(const nlohmann::json& info, const std::string& pointer, ColorMeaning meaning);
+
+  /// firstTexel, width and height are 0.
+  [[nodiscard]] const std::vector<Texture>& textures() const { return textures_; }
+  /// The image, by index in the file, of each texture.
+  [[nodiscard]] const std::vector<std::size_t>& images() const { return images_; }
+
+ private:
+  using Key = std::tuple<std::size_t, uint, uint, uint, uint, uint, float, float, float, float, float, float>;
+  const GltfDocument& document_;
+  Log& log_;
+  std::vector<Texture> textures_;
+  std::vector<std::size_t> images_;
+  std::map<Key, uint> indices_;
+};
+
+}  // namespace importon
