@@ -61,10 +61,10 @@ def add_door(scene):
 
 def add_furniture(scene):
     gap = 0.0005
-    scene.add("Rug", furniture.moved(furniture.rug(1.7, 1.2), (-1.9, gap, -0.2)))
+    scene.add("Rug", furniture.moved(furniture.rug(1.9, 1.6), (-1.85, gap, -0.2)))
     scene.add("Table", furniture.moved(furniture.round_table(0.45, 0.72), (-1.9, 0.016, -0.35)))
     scene.add("Bowl with fruit", furniture.moved(furniture.fruit_bowl(0.13), (-1.86, 0.7368, -0.38)))
-    scene.add("Chair", furniture.moved(furniture.chair(), (-2.55, 0.016, -0.75), 62))
+    scene.add("Chair", furniture.moved(furniture.chair(), (-2.42, 0.016, -0.62), 62))
     scene.add("Book case", furniture.moved(furniture.shelf(1.1, 1.9, 0.30, 6, 11), (-2.9, gap, -1.845)))
     scene.add("Plant", furniture.moved(furniture.plant(1.25, 15, 5), (-0.45, gap, -1.5)))
     scene.add("Picture", furniture.moved(furniture.picture(0.8, 0.55), (-1.45, 1.62, -1.9995)))

@@ -43,8 +43,8 @@ def together(*objects):
 
 def table(width, depth, height, wood="Oak"):
     top = rounded_box((width, 0.035, depth), 0.008, (0, height - 0.0175, 0))
-    rails = [box((width - 0.2, 0.07, 0.02), (0, height - 0.07, s * (depth / 2 - 0.08))) for s in (-1, 1)]
-    rails += [box((0.02, 0.07, depth - 0.2), (s * (width / 2 - 0.08), height - 0.07, 0)) for s in (-1, 1)]
+    rails = [box((width - 0.2, 0.07, 0.02), (0, height - 0.072, s * (depth / 2 - 0.08))) for s in (-1, 1)]
+    rails += [box((0.02, 0.07, depth - 0.2), (s * (width / 2 - 0.08), height - 0.072, 0)) for s in (-1, 1)]
     leg = lathe([(0, 0), (0.018, 0), (0.030, height - 0.036), (0, height - 0.036)], 12)
     legs = [leg.moved((x * (width / 2 - 0.08), 0, z * (depth / 2 - 0.08))) for x in (-1, 1) for z in (-1, 1)]
     return {wood: merged(top, *rails, *legs)}

@@ -38,7 +38,7 @@ def add_room(scene):
     scene.add("Room", carve(((-2.2, -0.2, -1.0), (2.2, 2.8, 3.2)), [((-2.0, 0.0, -0.8), (2.0, 2.6, 3.0))], material_of))
     top = rounded_box((1.3, 0.03, 0.8), 0.006, (0, TABLE - 0.015, 0), 2).with_uvs(lambda p: (p[0], p[2]))
     scene.add("Table top", {"Table top": top})
-    leg = scene.mesh("Table leg", {"Walnut": box((0.06, TABLE - 0.04, 0.06), (0, (TABLE - 0.04) / 2, 0))})
+    leg = scene.mesh("Table leg", {"Walnut": box((0.06, TABLE - 0.031, 0.06), (0, (TABLE - 0.03) / 2, 0))})
     for x in (-0.55, 0.55):
         for z in (-0.32, 0.32):
             scene.place(leg, (x, 0.0, z))
