@@ -19,29 +19,37 @@ struct TexelInfo {
 
 TexelInfo texelInfo(TexelFormat texels) {
   switch (texels) {
-    case TexelFormat::uint1: return {VK_FORMAT_R32_UINT, 4};
-    case TexelFormat::uint2: return {VK_FORMAT_R32G32_UINT, 8};
-    case TexelFormat::uint4: return {VK_FORMAT_R32G32B32A32_UINT, 16};
-    case TexelFormat::float1: return {VK_FORMAT_R32_SFLOAT, 4};
-    case TexelFormat::float2: return {VK_FORMAT_R32G32_SFLOAT, 8};
-    case TexelFormat::float4: return {VK_FORMAT_R32G32B32A32_SFLOAT, 16};
-    case TexelFormat::none: break;
+    case TexelFormat::uint1:
+      return {VK_FORMAT_R32_UINT, 4};
+    case TexelFormat::uint2:
+      return {VK_FORMAT_R32G32_UINT, 8};
+    case TexelFormat::uint4:
+      return {VK_FORMAT_R32G32B32A32_UINT, 16};
+    case TexelFormat::float1:
+      return {VK_FORMAT_R32_SFLOAT, 4};
+    case TexelFormat::float2:
+      return {VK_FORMAT_R32G32_SFLOAT, 8};
+    case TexelFormat::float4:
+      return {VK_FORMAT_R32G32B32A32_SFLOAT, 16};
+    case TexelFormat::none:
+      break;
   }
   return {VK_FORMAT_UNDEFINED, 4};
 }
 
 std::string mebibytes(std::uint64_t bytes) { return std::to_string((bytes + (1u << 20) - 1) >> 20) + " MiB"; }
 
-void refuse(const std::string& limitName, const std::string& need, const std::string& limit, const std::string& name) {
-  throw DeviceError("buffer '" + name + "' needs " + need + ", but the device's " + limitName + " is " + limit, name,
-                    "lower --memory or the image size, use a smaller scene, or choose another --device");
+void refuse(const std::string& limitName, const std::string& need, const std::string& limit,
+            const std::string& name) {
+  throw DeviceError("buffer '" + name + "' needs " + need + ", but the device's " + limitName + " is " + limit,
+                    name, "lower --memory or the image size, use a smaller scene, or choose another --device");
 }
 
 void checkLimits(const Limits& limits, const std::string& name, std::uint64_t bytes, TexelFormat texels) {
   const std::uint64_t most = std::min(limits.maxAllocation, limits.heapBytes);
   if (bytes > most) {
-    refuse(limits.maxAllocation < limits.heapBytes ? "largest allocation" : "memory", mebibytes(bytes), mebibytes(most),
-           name);
+    refuse(limits.maxAllocation < limits.heapBytes ? "largest allocation" : "memory", mebibytes(bytes),
+           mebibytes(most), name);
   }
   if (texels == TexelFormat::none) return;
   const std::uint64_t elements = bytes / texelInfo(texels).bytes;
@@ -60,7 +68,8 @@ BufferHandle createBuffer(Device& device, const std::string& name, std::uint64_t
                VK_BUFFER_USAGE_TRANSFER_DST_BIT;
   if (texels != TexelFormat::none) info.usage |= VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
   VkBuffer buffer = VK_NULL_HANDLE;
-  check(vkCreateBuffer(device.handle(), &info, nullptr, &buffer), "create buffer '" + name + "'", device.info().name);
+  check(vkCreateBuffer(device.handle(), &info, nullptr, &buffer), "create buffer '" + name + "'",
+        device.info().name);
   device.setDebugName(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<std::uint64_t>(buffer), name);
   return {device.handle(), buffer};
 }
@@ -75,7 +84,9 @@ void allocateMemory(Buffer::Impl& impl, const std::string& name) {
                                           VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
   const auto type = device.memoryType(needs.memoryTypeBits, device.mapsBuffers() ? kHost : 0,
                                       VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
-  if (!type) throw DeviceError("no memory type suits buffer '" + name + "'", device.info().name, "choose another --device");
+  if (!type)
+    throw DeviceError("no memory type suits buffer '" + name + "'", device.info().name,
+                      "choose another --device");
   VkMemoryAllocateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
   info.allocationSize = needs.size;
@@ -102,8 +113,8 @@ BufferViewHandle createView(Device& device, const std::string& name, VkBuffer bu
   info.format = texelInfo(texels).format;
   info.range = VK_WHOLE_SIZE;
   VkBufferView view = VK_NULL_HANDLE;
-  check(vkCreateBufferView(device.handle(), &info, nullptr, &view), "create a texel view of buffer '" + name + "'",
-        device.info().name);
+  check(vkCreateBufferView(device.handle(), &info, nullptr, &view),
+        "create a texel view of buffer '" + name + "'", device.info().name);
   return {device.handle(), view};
 }
 
@@ -128,6 +139,7 @@ Buffer::Buffer(Context& context, std::string name, std::uint64_t bytes, TexelFor
   if (texels != TexelFormat::none) impl_->view = createView(*impl_->device, name_, impl_->buffer.get(), texels);
 }
 
+Buffer::Buffer() = default;
 Buffer::~Buffer() = default;
 Buffer::Buffer(Buffer&&) noexcept = default;
 Buffer& Buffer::operator=(Buffer&&) noexcept = default;

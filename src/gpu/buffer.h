@@ -18,9 +18,9 @@ enum class TexelFormat { none, uint1, uint2, uint4, float1, float2, float4 };
 
 class Buffer {
  public:
-  Buffer() = default;
-  /// Allocates `bytes` rounded up to whole words or texels, at least one; not initialised. Throws DeviceError when limits or memory do not allow it,
-  /// with need and limit.
+  Buffer();
+  /// Allocates `bytes` rounded up to whole words or texels, at least one; not initialised. Throws DeviceError
+  /// when limits or memory do not allow it, with need and limit.
   Buffer(Context& context, std::string name, std::uint64_t bytes, TexelFormat texels = TexelFormat::none);
   ~Buffer();
   Buffer(Buffer&&) noexcept;
@@ -34,7 +34,9 @@ class Buffer {
   void uploadBytes(std::span<const std::byte> data, std::uint64_t offset = 0);
   void downloadBytes(std::span<std::byte> data, std::uint64_t offset = 0) const;
   template <class T>
-  void upload(std::span<const T> data, std::uint64_t offset = 0) { uploadBytes(std::as_bytes(data), offset); }
+  void upload(std::span<const T> data, std::uint64_t offset = 0) {
+    uploadBytes(std::as_bytes(data), offset);
+  }
   template <class T>
   [[nodiscard]] std::vector<T> download(std::size_t count, std::uint64_t offset = 0) const {
     std::vector<T> data(count);

@@ -13,8 +13,8 @@ struct Buffer::Impl {
   std::shared_ptr<Device> device;  // shared: see Device
   BufferHandle buffer;
   MemoryHandle memory;
-  BufferViewHandle view;            // empty: no texel format
-  std::byte* mapped = nullptr;      // null: reached through staging
+  BufferViewHandle view;        // empty: no texel format
+  std::byte* mapped = nullptr;  // null: reached through staging
   std::uint64_t allocatedBytes = 0;
 
   Impl() = default;

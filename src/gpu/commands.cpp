@@ -11,7 +11,8 @@ CommandPoolHandle createCommandPool(Device& device) {
   info.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
   info.queueFamilyIndex = device.queueFamily();
   VkCommandPool pool = VK_NULL_HANDLE;
-  check(vkCreateCommandPool(device.handle(), &info, nullptr, &pool), "create a command pool", device.info().name);
+  check(vkCreateCommandPool(device.handle(), &info, nullptr, &pool), "create a command pool",
+        device.info().name);
   return {device.handle(), pool};
 }
 
@@ -43,7 +44,8 @@ void beginCommands(Device& device, VkCommandBuffer commands) {
 }
 
 void recordBarrier(VkCommandBuffer commands) {
-  constexpr VkPipelineStageFlags kBefore = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT;
+  constexpr VkPipelineStageFlags kBefore =
+      VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT;
   constexpr VkPipelineStageFlags kAfter =
       kBefore | VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_HOST_BIT;
   VkMemoryBarrier barrier{};

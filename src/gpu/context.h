@@ -11,25 +11,25 @@ namespace importon::gpu {
 struct DeviceInfo {
   std::string name, driver, type;  // type: discrete, integrated, virtual, cpu, other
   std::uint32_t apiVersion = 0;
-  std::string missing;             // names of missing needed features; empty: usable
+  std::string missing;  // names of missing needed features; empty: usable
   bool isDefault = false;
 };
 
 /// What a design may depend on, as the device reports it.
 struct Limits {
-  std::uint64_t maxStorageBufferRange = 0;    // bytes
+  std::uint64_t maxStorageBufferRange = 0;  // bytes
   std::uint64_t maxTexelBufferElements = 0;
-  std::uint64_t maxAllocation = 0;            // bytes
+  std::uint64_t maxAllocation = 0;  // bytes
   std::uint32_t maxWorkgroupCountX = 0;
   std::uint32_t maxWorkgroupSize = 0;
-  std::uint64_t heapBytes = 0;                // of the heap that device-local buffers live in
-  double nanosecondsPerTick = 0;              // 0: no timestamps
+  std::uint64_t heapBytes = 0;    // of the heap that device-local buffers live in
+  double nanosecondsPerTick = 0;  // 0: no timestamps
   bool isCpu = false;
 };
 
 struct ContextOptions {
-  std::string device;        // name (part of it, any case) or index; empty: the default
-  bool validation = false;   // validation layers with synchronization validation
+  std::string device{};          // name (part of it, any case) or index; empty: the default
+  bool validation = false;       // validation layers with synchronization validation
   bool stagesTransfers = false;  // copy through staging memory even where buffers can be mapped (for tests)
 };
 

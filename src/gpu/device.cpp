@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "gpu/device_choice.h"
 #include "gpu/device_list.h"
 #include "gpu/staging.h"
 #include "gpu/vulkan_error.h"
@@ -91,7 +92,8 @@ void Device::readLimits() {
                                           VK_MEMORY_PROPERTY_HOST_COHERENT_BIT |
                                           VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
   const bool sharesMemory = info_.type == "cpu" || info_.type == "integrated";
-  const std::uint32_t type = *memoryType(~0u, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | (sharesMemory ? kHost : 0));
+  const std::uint32_t type =
+      *memoryType(~0u, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | (sharesMemory ? kHost : 0));
   mapsBuffers_ = sharesMemory && (memory_.memoryTypes[type].propertyFlags & kHost) == kHost;
   limits_.heapBytes = memory_.memoryHeaps[memory_.memoryTypes[type].heapIndex].size;
 }

@@ -1,5 +1,7 @@
 /// The open device that buffers, kernels and recorders share.
 #pragma once
+#include <vulkan/vulkan.h>
+
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -7,8 +9,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-
-#include <vulkan/vulkan.h>
 
 #include "gpu/context.h"
 #include "gpu/handle.h"

@@ -1,8 +1,8 @@
 /// Sole ownership of a Vulkan object.
 #pragma once
-#include <utility>
-
 #include <vulkan/vulkan.h>
+
+#include <utility>
 
 namespace importon::gpu {
 

@@ -10,7 +10,7 @@
 namespace importon::gpu {
 namespace {
 
-constexpr std::uint32_t kMaxPushConstantBytes = 128;   // the least that Vulkan promises
+constexpr std::uint32_t kMaxPushConstantBytes = 128;  // the least that Vulkan promises
 constexpr std::uint32_t kDefaultWorkgroupSize = 64;
 
 /// The kernel's constants with the workgroup size among them.
@@ -38,7 +38,8 @@ void checkLimits(const Limits& limits, const std::string& label, const Reflectio
                  std::uint32_t workgroupSize) {
   if (module.pushConstantBytes > kMaxPushConstantBytes) {
     throw std::logic_error("kernel '" + label + "' has " + std::to_string(module.pushConstantBytes) +
-                           " bytes of push constants; " + std::to_string(kMaxPushConstantBytes) + " are allowed");
+                           " bytes of push constants; " + std::to_string(kMaxPushConstantBytes) +
+                           " are allowed");
   }
   if (workgroupSize == 0 || workgroupSize > limits.maxWorkgroupSize) {
     throw DeviceError("kernel '" + label + "' needs workgroups of " + std::to_string(workgroupSize) +
@@ -47,7 +48,8 @@ void checkLimits(const Limits& limits, const std::string& label, const Reflectio
   }
 }
 
-SetLayoutHandle createSetLayout(Device& device, const std::string& label, std::span<const ReflectedBinding> bindings) {
+SetLayoutHandle createSetLayout(Device& device, const std::string& label,
+                                std::span<const ReflectedBinding> bindings) {
   std::vector<VkDescriptorSetLayoutBinding> entries;
   for (const ReflectedBinding& binding : bindings) {
     entries.push_back({binding.slot, descriptorType(binding.kind), 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
@@ -57,7 +59,8 @@ SetLayoutHandle createSetLayout(Device& device, const std::string& label, std::s
   info.bindingCount = static_cast<std::uint32_t>(entries.size());
   info.pBindings = entries.data();
   VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-  check(vkCreateDescriptorSetLayout(device.handle(), &info, nullptr, &layout), "create a descriptor layout", label);
+  check(vkCreateDescriptorSetLayout(device.handle(), &info, nullptr, &layout), "create a descriptor layout",
+        label);
   return {device.handle(), layout};
 }
 
@@ -75,7 +78,8 @@ PipelineLayoutHandle createPipelineLayout(Device& device, const std::string& lab
   return {device.handle(), layout};
 }
 
-ShaderModuleHandle createModule(Device& device, const std::string& label, std::span<const std::uint32_t> spirv) {
+ShaderModuleHandle createModule(Device& device, const std::string& label,
+                                std::span<const std::uint32_t> spirv) {
   VkShaderModuleCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
   info.codeSize = spirv.size_bytes();
@@ -89,7 +93,8 @@ PipelineHandle createPipeline(Device& device, const std::string& label, VkShader
                               VkPipelineLayout layout, std::span<const Specialization> constants) {
   std::vector<VkSpecializationMapEntry> entries;
   for (std::size_t i = 0; i < constants.size(); ++i) {
-    const auto offset = static_cast<std::uint32_t>(i * sizeof(Specialization) + offsetof(Specialization, value));
+    const auto offset =
+        static_cast<std::uint32_t>(i * sizeof(Specialization) + offsetof(Specialization, value));
     entries.push_back({constants[i].id, offset, sizeof(std::uint32_t)});
   }
   const VkSpecializationInfo specialization{static_cast<std::uint32_t>(entries.size()), entries.data(),
@@ -116,13 +121,18 @@ void BindingTable::set(std::uint32_t slot, const Buffer& buffer) {
   slots_[slot] = &buffer;
 }
 
-const Buffer* BindingTable::get(std::uint32_t slot) const { return slot < slots_.size() ? slots_[slot] : nullptr; }
+const Buffer* BindingTable::get(std::uint32_t slot) const {
+  return slot < slots_.size() ? slots_[slot] : nullptr;
+}
 
 VkDescriptorType descriptorType(BindingKind kind) {
   switch (kind) {
-    case BindingKind::uniformBuffer: return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    case BindingKind::uniformTexelBuffer: return VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
-    case BindingKind::storageBuffer: break;
+    case BindingKind::uniformBuffer:
+      return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    case BindingKind::uniformTexelBuffer:
+      return VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+    case BindingKind::storageBuffer:
+      break;
   }
   return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 }
@@ -145,6 +155,7 @@ Kernel::Kernel(Context& context, std::string label, std::span<const std::uint32_
   impl_->pipeline = createPipeline(device, label_, shader.get(), impl_->pipelineLayout.get(), constants.values);
 }
 
+Kernel::Kernel() = default;
 Kernel::~Kernel() = default;
 Kernel::Kernel(Kernel&&) noexcept = default;
 Kernel& Kernel::operator=(Kernel&&) noexcept = default;

@@ -12,7 +12,8 @@
 namespace importon::gpu {
 
 /// Binding numbers are the same in every kernel (shaders/shared/bindings.h), so one table serves all of them:
-/// slot -> buffer. A kernel takes from the table what its module declares.
+/// slot -> buffer. A kernel takes from the table what its module uses; what it declares without use may be
+/// missing.
 class BindingTable {
  public:
   void set(std::uint32_t slot, const Buffer& buffer);
@@ -31,7 +32,7 @@ struct Specialization {
 /// Constructing kernels from several threads at once is allowed (compilation is the slow part on lavapipe).
 class Kernel {
  public:
-  Kernel() = default;
+  Kernel();
   Kernel(Context& context, std::string label, std::span<const std::uint32_t> spirv,
          std::span<const Specialization> specialization = {});
   ~Kernel();

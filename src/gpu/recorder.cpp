@@ -71,12 +71,12 @@ struct Recorder::Impl {
                        static_cast<std::uint32_t>(pushConstants.size()), pushConstants.data());
   }
 
-  /// All that a dispatch needs but the dispatch itself. Throws before anything is recorded.
+  /// Records all that a dispatch needs but the dispatch itself.
   void prepare(const Kernel& kernel, const BindingTable& bindings, std::span<const std::byte> pushConstants) {
     if (pushConstants.size() != kernel.impl().pushConstantBytes) {
       throw std::logic_error("kernel '" + kernel.label() + "' takes " +
-                             std::to_string(kernel.impl().pushConstantBytes) + " bytes of push constants, not " +
-                             std::to_string(pushConstants.size()));
+                             std::to_string(kernel.impl().pushConstantBytes) +
+                             " bytes of push constants, not " + std::to_string(pushConstants.size()));
     }
     beginCommand();
     bind(kernel, descriptors.bind(kernel, bindings), pushConstants);

@@ -20,13 +20,13 @@ struct KernelTime {
 
 /// A push-constant struct (not bytes that already stand for one).
 template <class T>
-concept PushConstants =
-    std::is_trivially_copyable_v<T> && sizeof(T) <= 128 && !std::is_convertible_v<T, std::span<const std::byte>>;
+concept PushConstants = std::is_trivially_copyable_v<T> && sizeof(T) <= 128 &&
+                        !std::is_convertible_v<T, std::span<const std::byte>>;
 
 /// Commands run in the order recorded; a full memory barrier stands between any two that touch buffers
-/// (compute, indirect read, transfer, host). Buffers and kernels must outlive the submission. A long recording is
-/// submitted in pieces on the way. A push-constant size that is not the kernel's, a slot without buffer, or a copy
-/// past the end of a buffer is a std::logic_error; fills and copies are timed as "fill" and "copy".
+/// (compute, indirect read, transfer, host). Buffers and kernels must outlive the submission. A long recording
+/// is submitted in pieces on the way. A push-constant size that is not the kernel's, a slot without buffer, or
+/// a copy past the end of a buffer is a std::logic_error; fills and copies are timed as "fill" and "copy".
 class Recorder {
  public:
   explicit Recorder(Context& context);
@@ -43,7 +43,8 @@ class Recorder {
   void dispatchIndirect(const Kernel& kernel, const BindingTable& bindings, const Buffer& arguments,
                         std::uint64_t offset, std::span<const std::byte> pushConstants = {});
   template <PushConstants Push>
-  void dispatch(const Kernel& kernel, const BindingTable& bindings, std::uint64_t invocations, const Push& push) {
+  void dispatch(const Kernel& kernel, const BindingTable& bindings, std::uint64_t invocations,
+                const Push& push) {
     dispatch(kernel, bindings, invocations, std::as_bytes(std::span(&push, 1)));
   }
   template <PushConstants Push>
@@ -52,7 +53,7 @@ class Recorder {
     dispatchIndirect(kernel, bindings, arguments, offset, std::as_bytes(std::span(&push, 1)));
   }
 
-  void fill(const Buffer& buffer, std::uint32_t value);                        // whole buffer
+  void fill(const Buffer& buffer, std::uint32_t value);  // whole buffer
   void copy(const Buffer& from, std::uint64_t fromOffset, const Buffer& to, std::uint64_t toOffset,
             std::uint64_t bytes);
 

@@ -1,11 +1,10 @@
 #include "gpu/spirv_reflection.h"
 
 #include <algorithm>
+#include <glslang/SPIRV/spirv.hpp>
 #include <map>
 #include <set>
 #include <stdexcept>
-
-#include <glslang/SPIRV/spirv.hpp>
 
 namespace importon::gpu {
 namespace {
@@ -13,13 +12,14 @@ namespace {
 /// An id's defining instruction, its operands after the result, and its decorations.
 struct Id {
   spv::Op op = spv::OpNop;
-  std::uint32_t type = 0;               // result type of constants and variables
+  std::uint32_t type = 0;  // result type of constants and variables
   std::vector<std::uint32_t> operands;
   std::string name;
   std::map<std::uint32_t, std::string> memberNames;
   std::map<spv::Decoration, std::uint32_t> decorations;  // first literal, or 0
   std::map<std::uint32_t, std::uint32_t> memberOffsets;
   std::map<std::uint32_t, std::uint32_t> memberMatrixStrides;
+  bool isUsed = false;  // read or written in a function
 };
 
 std::string readString(std::span<const std::uint32_t> words) {
@@ -68,9 +68,15 @@ class Module {
 
   void read(spv::Op op, Words w) {
     switch (op) {
-      case spv::OpName: at(w[0]).name = readString(w.subspan(1)); break;
-      case spv::OpMemberName: at(w[0]).memberNames[w[1]] = readString(w.subspan(2)); break;
-      case spv::OpDecorate: at(w[0]).decorations[static_cast<spv::Decoration>(w[1])] = w.size() > 2 ? w[2] : 0; break;
+      case spv::OpName:
+        at(w[0]).name = readString(w.subspan(1));
+        break;
+      case spv::OpMemberName:
+        at(w[0]).memberNames[w[1]] = readString(w.subspan(2));
+        break;
+      case spv::OpDecorate:
+        at(w[0]).decorations[static_cast<spv::Decoration>(w[1])] = w.size() > 2 ? w[2] : 0;
+        break;
       case spv::OpMemberDecorate:
         if (w[2] == spv::DecorationOffset) at(w[0]).memberOffsets[w[1]] = w[3];
         if (w[2] == spv::DecorationMatrixStride) at(w[0]).memberMatrixStrides[w[1]] = w[3];
@@ -78,32 +84,64 @@ class Module {
       case spv::OpExecutionMode:
         if (w[1] == spv::ExecutionModeLocalSize) std::copy(w.begin() + 2, w.begin() + 5, localSize_.begin());
         break;
-      case spv::OpTypeInt: case spv::OpTypeFloat: case spv::OpTypeVector: case spv::OpTypeMatrix:
-      case spv::OpTypeImage: case spv::OpTypeSampledImage: case spv::OpTypeArray: case spv::OpTypeRuntimeArray:
-      case spv::OpTypeStruct: case spv::OpTypePointer: case spv::OpTypeBool:
+      case spv::OpTypeInt:
+      case spv::OpTypeFloat:
+      case spv::OpTypeVector:
+      case spv::OpTypeMatrix:
+      case spv::OpTypeImage:
+      case spv::OpTypeSampledImage:
+      case spv::OpTypeArray:
+      case spv::OpTypeRuntimeArray:
+      case spv::OpTypeStruct:
+      case spv::OpTypePointer:
+      case spv::OpTypeBool:
         at(w[0]).op = op;
         at(w[0]).operands.assign(w.begin() + 1, w.end());
         break;
-      case spv::OpConstant: case spv::OpSpecConstant: case spv::OpConstantComposite:
-      case spv::OpSpecConstantComposite: case spv::OpVariable:
+      case spv::OpConstant:
+      case spv::OpSpecConstant:
+      case spv::OpConstantComposite:
+      case spv::OpSpecConstantComposite:
+      case spv::OpVariable:
         at(w[1]).op = op;
         at(w[1]).type = w[0];
         at(w[1]).operands.assign(w.begin() + 2, w.end());
         break;
-      default: break;
+      case spv::OpStore:
+        at(w[0]).isUsed = true;
+        break;
+      case spv::OpLoad:
+      case spv::OpAccessChain:
+      case spv::OpInBoundsAccessChain:
+      case spv::OpArrayLength:
+        at(w[2]).isUsed = true;
+        break;
+      case spv::OpFunctionCall:
+        for (const std::uint32_t argument : w.subspan(3)) at(argument).isUsed = true;
+        break;
+      default:
+        break;
     }
   }
 
   [[nodiscard]] std::uint32_t sizeOf(std::uint32_t typeId, std::uint32_t matrixStride) {
     const Id& type = at(typeId);
     switch (type.op) {
-      case spv::OpTypeInt: case spv::OpTypeFloat: return type.operands[0] / 8;
-      case spv::OpTypeVector: return sizeOf(type.operands[0], 0) * type.operands[1];
-      case spv::OpTypeMatrix: return matrixStride * type.operands[1];
-      case spv::OpTypeArray: return at(type.operands[1]).operands[0] * arrayStride(type);
-      case spv::OpTypeStruct: return structBytes(type);
-      case spv::OpTypeRuntimeArray: return 0;
-      default: throw std::logic_error("a block holds a type that our kernels must not use");
+      case spv::OpTypeInt:
+      case spv::OpTypeFloat:
+        return type.operands[0] / 8;
+      case spv::OpTypeVector:
+        return sizeOf(type.operands[0], 0) * type.operands[1];
+      case spv::OpTypeMatrix:
+        return matrixStride * type.operands[1];
+      case spv::OpTypeArray:
+        return at(type.operands[1]).operands[0] * arrayStride(type);
+      case spv::OpTypeStruct:
+        return structBytes(type);
+      case spv::OpTypeRuntimeArray:
+        return 0;
+      default:
+        throw std::logic_error("a block holds a type that our kernels must not use");
     }
   }
 
@@ -139,8 +177,11 @@ class Module {
     }
     const std::string name = variable.name.empty() ? type.name : variable.name;
     const auto set = variable.decorations.find(spv::DecorationDescriptorSet);
-    if (set != variable.decorations.end() && set->second != 0) throw std::logic_error(name + " is not in set 0");
-    result.bindings.push_back({variable.decorations.at(spv::DecorationBinding), kindOf(storage, type, name), name});
+    if (set != variable.decorations.end() && set->second != 0)
+      throw std::logic_error(name + " is not in set 0");
+    const BindingKind kind = kindOf(storage, type, name);
+    if (variable.isUsed)
+      result.bindings.push_back({variable.decorations.at(spv::DecorationBinding), kind, name});
     if (storage != spv::StorageClassUniformConstant) addStructs(result, typeId, 0, true);
   }
 
@@ -173,8 +214,8 @@ class Module {
     reflected.isWrapper = isBlock && type.operands.size() == 1 && type.memberOffsets.at(0) == 0;
     for (std::uint32_t i = 0; i < type.operands.size(); ++i) {
       const auto name = type.memberNames.find(i);
-      reflected.members.push_back({name == type.memberNames.end() ? "" : name->second, type.memberOffsets.at(i),
-                                   memberBytes(type, i)});
+      reflected.members.push_back(
+          {name == type.memberNames.end() ? "" : name->second, type.memberOffsets.at(i), memberBytes(type, i)});
     }
     result.structs.push_back(std::move(reflected));
     for (const std::uint32_t member : type.operands) addStructs(result, member, 0, false);
@@ -184,7 +225,9 @@ class Module {
     result.workgroupSize = localSize_;
     for (const Id& id : ids_) {
       const auto builtIn = id.decorations.find(spv::DecorationBuiltIn);
-      if (builtIn == id.decorations.end() || builtIn->second != static_cast<std::uint32_t>(spv::BuiltInWorkgroupSize)) continue;
+      if (builtIn == id.decorations.end() ||
+          builtIn->second != static_cast<std::uint32_t>(spv::BuiltInWorkgroupSize))
+        continue;
       for (std::size_t i = 0; i < 3; ++i) {
         const Id& size = at(id.operands[i]);
         result.workgroupSize[i] = size.operands[0];

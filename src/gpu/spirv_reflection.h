@@ -35,11 +35,11 @@ struct ReflectedStruct {
 };
 
 struct Reflection {
-  std::vector<ReflectedBinding> bindings;  // of set 0, by slot
+  std::vector<ReflectedBinding> bindings;  // of set 0, those that code reads or writes, by slot
   std::uint32_t pushConstantBytes = 0;
-  std::array<std::uint32_t, 3> workgroupSize{1, 1, 1};   // by default, before specialization
-  std::optional<std::uint32_t> workgroupSizeXConstant;   // id of the specialization constant that sets x
-  std::vector<ReflectedStruct> structs;                  // each type once
+  std::array<std::uint32_t, 3> workgroupSize{1, 1, 1};  // by default, before specialization
+  std::optional<std::uint32_t> workgroupSizeXConstant;  // id of the specialization constant that sets x
+  std::vector<ReflectedStruct> structs;                 // each type once
 };
 
 /// Throws std::logic_error for what is not a module, or uses what our kernels must not: other sets, arrays of

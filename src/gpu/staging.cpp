@@ -38,12 +38,12 @@ void Staging::createBuffer() {
   VkMemoryAllocateInfo allocation{};
   allocation.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
   allocation.allocationSize = needs.size;
-  allocation.memoryTypeIndex = device_
-                                   .memoryType(needs.memoryTypeBits,
-                                               VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
-                                                   VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
-                                               VK_MEMORY_PROPERTY_HOST_CACHED_BIT)
-                                   .value();  // Vulkan promises that there is one
+  allocation.memoryTypeIndex =
+      device_
+          .memoryType(needs.memoryTypeBits,
+                      VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
+                      VK_MEMORY_PROPERTY_HOST_CACHED_BIT)
+          .value();  // Vulkan promises that there is one
   VkDeviceMemory memory = VK_NULL_HANDLE;
   check(vkAllocateMemory(device_.handle(), &allocation, nullptr, &memory), "allocate memory", "staging");
   memory_ = {device_.handle(), memory};

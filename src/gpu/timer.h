@@ -32,7 +32,7 @@ class Timer {
 
  private:
   Device& device_;
-  QueryPoolHandle queries_;  // empty: no timestamps
+  QueryPoolHandle queries_;           // empty: no timestamps
   std::vector<std::size_t> pending_;  // indices into times_
   std::vector<std::uint64_t> ticks_;
   std::vector<KernelTime> times_;

@@ -1,10 +1,10 @@
 /// The validation layer and what it says.
 #pragma once
+#include <vulkan/vulkan.h>
+
 #include <mutex>
 #include <string>
 #include <vector>
-
-#include <vulkan/vulkan.h>
 
 namespace importon::gpu {
 

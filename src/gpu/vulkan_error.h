@@ -1,8 +1,8 @@
 /// Vulkan results as DeviceErrors.
 #pragma once
-#include <string>
-
 #include <vulkan/vulkan.h>
+
+#include <string>
 
 namespace importon::gpu {
 

@@ -1,11 +1,11 @@
 /// Tests that need a device: a shared context with validation, and runKernel for testing GLSL functions.
 #pragma once
+#include <gtest/gtest.h>
+
 #include <cstdint>
 #include <span>
 #include <stdexcept>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "gpu/buffer.h"
 #include "gpu/context.h"

@@ -1,0 +1,147 @@
+#include "gpu/kernel.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <thread>
+#include <vector>
+
+#include "base/error.h"
+#include "gpu/recorder.h"
+#include "support/gpu_test.h"
+#include "test_kernels/registry.h"
+
+namespace importon::gpu {
+namespace {
+
+class KernelTest : public test::GpuTest {
+ protected:
+  /// Workgroup size and constants as the kernel `constants` sees them.
+  std::vector<std::uint32_t> constantsSeen(std::span<const Specialization> specialization) {
+    const Kernel kernel(context(), "constants", test_kernels::spirv("constants"), specialization);
+    const Buffer out(context(), "out", 16);
+    BindingTable bindings;
+    bindings.set(1, out);
+    Recorder recorder(context());
+    recorder.dispatch(kernel, bindings, 1);
+    recorder.submitAndWait();
+    return out.download<std::uint32_t>(4);
+  }
+};
+
+TEST_F(KernelTest, HasWorkgroupsOf64AndItsOwnConstantsByDefault) {
+  EXPECT_EQ(constantsSeen({}), (std::vector<std::uint32_t>{64, 11, std::bit_cast<std::uint32_t>(0.5f), 0}));
+}
+
+TEST_F(KernelTest, TakesConstantsAndWorkgroupSizeFromTheSpecialization) {
+  const std::uint32_t scale = std::bit_cast<std::uint32_t>(2.25f);
+  const std::vector<Specialization> specialization = {{3, 1}, {0, 32}, {1, 99}, {2, scale}};
+  EXPECT_EQ(constantsSeen(specialization), (std::vector<std::uint32_t>{32, 99, scale, 1}));
+  const Kernel kernel(context(), "constants", test_kernels::spirv("constants"), specialization);
+  EXPECT_EQ(kernel.workgroupSize(), 32u);
+}
+
+TEST_F(KernelTest, KeepsTheWorkgroupSizeThatTheKernelDeclares) {
+  const Kernel kernel(context(), "fixed", test_kernels::spirv("fixed_workgroup"));
+  EXPECT_EQ(kernel.workgroupSize(), 128u);
+  const Buffer out(context(), "out", 256 * 4);
+  BindingTable bindings;
+  bindings.set(1, out);
+  Recorder recorder(context());
+  recorder.dispatch(kernel, bindings, 256);
+  recorder.submitAndWait();
+  const auto results = out.download<std::uint32_t>(256);
+  for (std::uint32_t i = 0; i < 256; ++i) ASSERT_EQ(results[i], 127 - i % 128);
+}
+
+TEST_F(KernelTest, RefusesAWorkgroupSizeAboveTheLimit) {
+  const Specialization tooLarge{0, context().limits().maxWorkgroupSize + 1};
+  EXPECT_THROW(Kernel(context(), "large", test_kernels::spirv("constants"), std::span(&tooLarge, 1)),
+               DeviceError);
+  const Specialization none{0, 0};
+  EXPECT_THROW(Kernel(context(), "none", test_kernels::spirv("constants"), std::span(&none, 1)), DeviceError);
+}
+
+TEST_F(KernelTest, MayBeMadeByManyThreads) {
+  std::vector<Kernel> kernels(8);
+  std::vector<std::thread> threads;
+  for (std::uint32_t i = 0; i < kernels.size(); ++i) {
+    threads.emplace_back([&, i] {
+      const Specialization count{1, i};
+      kernels[i] = Kernel(context(), "constants", test_kernels::spirv("constants"), std::span(&count, 1));
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  const Buffer out(context(), "out", 16);
+  BindingTable bindings;
+  bindings.set(1, out);
+  Recorder recorder(context());
+  for (std::uint32_t i = 0; i < kernels.size(); ++i) {
+    recorder.dispatch(kernels[i], bindings, 1);
+    recorder.submitAndWait();
+    EXPECT_EQ(out.download<std::uint32_t>(2)[1], i);
+  }
+}
+
+TEST_F(KernelTest, MissingBufferIsALogicErrorThatNamesKernelAndSlot) {
+  const Kernel kernel(context(), "shift", test_kernels::spirv("shift_add"));
+  const Buffer buffer(context(), "buffer", 64);
+  BindingTable bindings;
+  bindings.set(0, buffer);
+  Recorder recorder(context());
+  struct Push {
+    std::uint32_t count = 1, step = 1;
+  };
+  try {
+    recorder.dispatch(kernel, bindings, 1, Push{});
+    FAIL() << "no error";
+  } catch (const std::logic_error& error) {
+    EXPECT_STREQ(error.what(), "kernel 'shift', slot 1 (Out): no buffer is bound");
+  }
+}
+
+TEST_F(KernelTest, BufferWithoutTexelFormatIsRefusedWhereTexelsAreRead) {
+  const Kernel kernel(context(), "texels", test_kernels::spirv("texels"));
+  const Buffer buffer(context(), "plain", 64);
+  BindingTable bindings;
+  for (const std::uint32_t slot : {0u, 1u, 2u}) bindings.set(slot, buffer);
+  Recorder recorder(context());
+  EXPECT_THROW(recorder.dispatch(kernel, bindings, 1, 0u), std::logic_error);
+}
+
+TEST_F(KernelTest, PushConstantsOfAnotherSizeAreALogicError) {
+  const Kernel kernel(context(), "shift", test_kernels::spirv("shift_add"));
+  const Buffer buffer(context(), "buffer", 64);
+  BindingTable bindings;
+  bindings.set(0, buffer);
+  bindings.set(1, buffer);
+  Recorder recorder(context());
+  EXPECT_THROW(recorder.dispatch(kernel, bindings, 1, 1u), std::logic_error);
+  EXPECT_THROW(recorder.dispatch(kernel, bindings, 1), std::logic_error);
+}
+
+TEST_F(KernelTest, BufferTooLargeToBindIsADeviceErrorWithNeedAndLimit) {
+  const std::uint64_t limit = context().limits().maxStorageBufferRange;
+  if (limit > 256u << 20) GTEST_SKIP() << "this device binds " << (limit >> 20) << " MiB as storage buffer";
+  const Buffer large(context(), "large", limit + 4);
+  const Kernel kernel(context(), "constants", test_kernels::spirv("constants"));
+  BindingTable bindings;
+  bindings.set(1, large);
+  Recorder recorder(context());
+  try {
+    recorder.dispatch(kernel, bindings, 1);
+    FAIL() << "no error";
+  } catch (const DeviceError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("'large' of " + std::to_string(limit + 4)), std::string::npos) << message;
+    EXPECT_NE(message.find("maxStorageBufferRange " + std::to_string(limit)), std::string::npos) << message;
+  }
+}
+
+TEST_F(KernelTest, WhatIsNoModuleIsALogicError) {
+  const std::vector<std::uint32_t> words(8, 42);
+  EXPECT_THROW(Kernel(context(), "noise", words), std::logic_error);
+}
+
+}  // namespace
+}  // namespace importon::gpu
