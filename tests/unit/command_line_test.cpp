@@ -1,0 +1,245 @@
+#include "app/command_line.h"
+
+#include <gtest/gtest.h>
+
+#include <iterator>
+#include <sstream>
+
+#include "base/error.h"
+
+namespace importon {
+namespace {
+
+/// Cuts at spaces.
+std::vector<std::string> words(const std::string& line) {
+  std::istringstream stream(line);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+Command parse(const std::string& line) { return parseCommandLine(words(line)); }
+RenderCommand parseRender(const std::string& line) { return std::get<RenderCommand>(parse(line)); }
+
+/// The message of the UsageError that the line leads to.
+std::string refusal(const std::string& line) {
+  try {
+    (void)parse(line);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "accepted: " << line;
+  return "";
+}
+
+TEST(CommandLine, RendersWithDefaults) {
+  const RenderCommand command = parseRender("render room.gltf -o room.exr");
+  const RenderJob defaults;
+  EXPECT_EQ(command.job.scene, "room.gltf");
+  EXPECT_EQ(command.job.output, "room.exr");
+  EXPECT_EQ(command.job.png, "");
+  EXPECT_FALSE(command.job.width.has_value());
+  EXPECT_FALSE(command.job.passes.has_value());
+  EXPECT_FALSE(command.job.seconds.has_value());
+  EXPECT_EQ(command.job.integrator, Integrator::photon);
+  EXPECT_EQ(command.job.control, DensityControl::density);
+  EXPECT_EQ(command.job.causticDensity, defaults.causticDensity);
+  EXPECT_EQ(command.job.redistribute, defaults.redistribute);
+  EXPECT_TRUE(command.job.filtersIndirect);
+  EXPECT_EQ(command.verbosity, Log::Verbosity::normal);
+  EXPECT_EQ(command.job.commandLine, words("render room.gltf -o room.exr"));
+}
+
+TEST(CommandLine, RendersWithoutTheWord) {
+  EXPECT_EQ(parseRender("room.gltf -o room.exr").job.scene, "room.gltf");
+  EXPECT_EQ(parseRender("-o room.exr room.gltf").job.scene, "room.gltf");
+  EXPECT_EQ(parseRender("--output=room.exr room.gltf").job.output, "room.exr");
+}
+
+TEST(CommandLine, TakesEveryOptionOfRender) {
+  const RenderCommand command = parseRender(
+      "render s.glb -o o.exr --png o.png --width 320 --height 200 --camera top --integrator path --passes 7 "
+      "--time 2.5 --photons 1000 --importons 2000 --control off --caustic-density 30 --global-density 2 "
+      "--redistribute 4 --gather 3 --indirect-filter off --max-depth 5 --aov albedo,N,importance.caustic "
+      "--seed 42 "
+      "--device llvm --threads 2 --memory 512 --stats s.json --validation --all-features -v");
+  const RenderJob& job = command.job;
+  EXPECT_EQ(job.png, "o.png");
+  EXPECT_EQ(job.width, 320);
+  EXPECT_EQ(job.height, 200);
+  EXPECT_EQ(job.camera, "top");
+  EXPECT_EQ(job.integrator, Integrator::path);
+  EXPECT_EQ(job.passes, 7);
+  EXPECT_EQ(job.seconds, 2.5);
+  EXPECT_EQ(job.photons, 1000u);
+  EXPECT_EQ(job.importons, 2000u);
+  EXPECT_EQ(job.control, DensityControl::off);
+  EXPECT_EQ(job.causticDensity, 30);
+  EXPECT_EQ(job.globalDensity, 2);
+  EXPECT_EQ(job.redistribute, 4);
+  EXPECT_EQ(job.gather, 3);
+  EXPECT_FALSE(job.filtersIndirect);
+  EXPECT_EQ(job.maxDepth, 5);
+  EXPECT_EQ(job.aovs, (std::vector<std::string>{"albedo", "N", "importance.caustic"}));
+  EXPECT_EQ(job.seed, 42u);
+  EXPECT_EQ(job.device, "llvm");
+  EXPECT_EQ(job.threads, 2);
+  EXPECT_EQ(job.memoryMiB, 512u);
+  EXPECT_EQ(job.stats, "s.json");
+  EXPECT_TRUE(job.validation);
+  EXPECT_TRUE(job.forcesAllFeatures);
+  EXPECT_EQ(command.verbosity, Log::Verbosity::verbose);
+}
+
+TEST(CommandLine, TakesAConstantDensity) {
+  EXPECT_EQ(parseRender("s.glb -o o.exr --constant-density 1e6").job.constantDensity, 1e6);
+}
+
+TEST(CommandLine, TakesTheGreatestSeed) {
+  EXPECT_EQ(parseRender("s.glb -o o.exr --seed 4294967295").job.seed, 4294967295u);
+}
+
+TEST(CommandLine, ComparesAndInforms) {
+  const auto compare = std::get<CompareCommand>(
+      parse("compare a.exr r.exr --json --max-relmse 0.1 --max-flip 0.2 --floor 0.01"));
+  EXPECT_EQ(compare.image, "a.exr");
+  EXPECT_EQ(compare.reference, "r.exr");
+  EXPECT_TRUE(compare.isJson);
+  EXPECT_EQ(compare.maxRelmse, 0.1);
+  EXPECT_EQ(compare.maxFlip, 0.2);
+  EXPECT_EQ(compare.floor, 0.01);
+  EXPECT_EQ(std::get<InfoCommand>(parse("info s.gltf")).job.scene, "s.gltf");
+  EXPECT_FALSE(std::get<InfoCommand>(parse("info s.gltf")).isJson);
+  EXPECT_TRUE(std::get<InfoCommand>(parse("info --json s.gltf")).isJson);
+  EXPECT_TRUE(std::holds_alternative<DevicesCommand>(parse("devices")));
+}
+
+TEST(CommandLine, NamesWhatIsMissing) {
+  EXPECT_EQ(refusal(""), "no arguments (command line): see importon --help");
+  EXPECT_EQ(refusal("s.gltf"), "--output is required (command line): see importon render --help");
+  EXPECT_EQ(refusal("render -o o.exr"), "SCENE is required (command line): see importon render --help");
+  EXPECT_EQ(refusal("compare a.exr"), "REF.exr is required (command line): see importon compare --help");
+}
+
+TEST(CommandLine, RefusesWhatItDoesNotKnow) {
+  EXPECT_NE(refusal("s.gltf -o o.exr --bogus").find("--bogus"), std::string::npos);
+  EXPECT_NE(refusal("s.gltf t.gltf -o o.exr").find("t.gltf"), std::string::npos);
+  EXPECT_NE(refusal("devices all").find("all"), std::string::npos);
+}
+
+TEST(CommandLine, RefusesNumbersOutOfRange) {
+  EXPECT_EQ(
+      refusal("s.gltf -o o.exr --width 0"),
+      "--width: \"0\" is not a whole number from 1 to 65536 pixels (command line): see importon render --help");
+  for (const char* bad : {"--width -1",
+                          "--width 1e3",
+                          "--width 1.5",
+                          "--width x",
+                          "--height 65537",
+                          "--passes 0",
+                          "--passes 99999999999",
+                          "--time 0",
+                          "--time -1",
+                          "--time nan",
+                          "--time inf",
+                          "--time 3s",
+                          "--photons 0",
+                          "--importons 0",
+                          "--caustic-density 0",
+                          "--global-density -2",
+                          "--constant-density inf",
+                          "--redistribute 0",
+                          "--gather 0",
+                          "--max-depth 0",
+                          "--seed -1",
+                          "--seed 4294967296",
+                          "--threads 0",
+                          "--memory 0"}) {
+    EXPECT_NE(refusal("s.gltf -o o.exr " + std::string(bad)).find("see importon render --help"),
+              std::string::npos)
+        << bad;
+  }
+  for (const char* bad : {"--max-relmse -1", "--max-flip nan", "--floor x"}) {
+    EXPECT_NE(refusal("compare a.exr r.exr " + std::string(bad)).find("see importon compare"),
+              std::string::npos)
+        << bad;
+  }
+}
+
+TEST(CommandLine, ListsTheNamesOfAnOption) {
+  EXPECT_EQ(refusal("s.gltf -o o.exr --integrator mlt"),
+            "--integrator: \"mlt\" is none of path, photon (command line): see importon render --help");
+  const std::string message = refusal("s.gltf -o o.exr --aov albedo,colour");
+  EXPECT_NE(message.find("--aov: \"colour\" is not known"), std::string::npos);
+  EXPECT_NE(message.find("albedo, N, P, depth, direct"), std::string::npos);
+}
+
+TEST(CommandLine, RefusesContradictions) {
+  for (const char* bad : {"s.gltf -o o.exr -q -v", "s.gltf -o o.exr --control off --constant-density 5",
+                          "s.gltf -o s.gltf", "s.gltf -o o.exr --png o.exr", "s.gltf -o o.exr --stats ./o.exr",
+                          "s.gltf -o o.exr --aov N,N", "s.gltf -o o.exr --width 5 --width 6"}) {
+    EXPECT_NE(refusal(bad), "") << bad;
+  }
+}
+
+TEST(CommandLine, RefusesEmptyNames) {
+  EXPECT_THROW((void)parseCommandLine(std::vector<std::string>{"", "-o", "o.exr"}), UsageError);
+  EXPECT_THROW((void)parseCommandLine(std::vector<std::string>{"s.gltf", "-o", ""}), UsageError);
+  EXPECT_THROW((void)parseCommandLine(std::vector<std::string>{"s.gltf", "-o", "o.exr", "--aov", ""}),
+               UsageError);
+}
+
+TEST(CommandLine, HelpNamesEveryCommandAndOption) {
+  const std::string help = std::get<TextCommand>(parse("--help")).text;
+  for (const char* name : {"render",
+                           "info",
+                           "compare",
+                           "devices",
+                           "--output",
+                           "--png",
+                           "--aov",
+                           "--stats",
+                           "--width",
+                           "--height",
+                           "--camera",
+                           "--passes",
+                           "--time",
+                           "--integrator",
+                           "--photons",
+                           "--importons",
+                           "--gather",
+                           "--indirect-filter",
+                           "--max-depth",
+                           "--seed",
+                           "--control",
+                           "--caustic-density",
+                           "--global-density",
+                           "--constant-density",
+                           "--redistribute",
+                           "--device",
+                           "--threads",
+                           "--memory",
+                           "--quiet",
+                           "--verbose",
+                           "--validation",
+                           "--all-features",
+                           "--max-relmse",
+                           "--max-flip",
+                           "--floor",
+                           "--json",
+                           "Exit status"}) {
+    EXPECT_NE(help.find(name), std::string::npos) << name;
+  }
+}
+
+TEST(CommandLine, HelpFollowsAnyArguments) {
+  for (const char* line :
+       {"-h", "render -h", "s.gltf --help", "info --help", "compare a.exr --help", "devices -h"}) {
+    EXPECT_NE(std::get<TextCommand>(parse(line)).text.find("Usage"), std::string::npos) << line;
+  }
+}
+
+TEST(CommandLine, TellsItsVersion) {
+  EXPECT_EQ(std::get<TextCommand>(parse("--version")).text.find("importon "), 0u);
+}
+
+}  // namespace
+}  // namespace importon

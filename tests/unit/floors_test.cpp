@@ -1,0 +1,104 @@
+// Reads the includes of the sources and holds the floors of the house:
+// base <- {io, scene, accel, gpu} <- render <- report <- app <- main.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "support/temporary_folder.h"
+
+namespace importon {
+namespace {
+
+namespace fs = std::filesystem;
+using Folders = std::set<std::string>;
+
+// What each folder of src may include, besides itself and shaders/shared. `scene` and `accel` never see Vulkan,
+// `gpu` never sees a scene.
+const std::map<std::string, Folders> kMayInclude{
+    {"base", {}},
+    {"io", {"base"}},
+    {"scene", {"base", "io"}},
+    {"accel", {"base"}},
+    {"gpu", {"base"}},
+    {"render", {"base", "io", "scene", "accel", "gpu"}},
+    {"report", {"base", "io", "scene", "accel", "gpu", "render"}},
+    {"app", {"base", "io", "scene", "accel", "gpu", "render", "report"}},
+    {"", {"base", "app"}},  // main.cpp
+};
+
+struct Include {
+  fs::path file;       // relative to src
+  std::string target;  // as written
+};
+
+std::vector<Include> includesOf(const fs::path& sources) {
+  static const std::regex pattern(R"(^[ \t]*#[ \t]*include[ \t]*["<]([^">]+)[">])", std::regex::multiline);
+  std::vector<Include> includes;
+  for (const auto& entry : fs::recursive_directory_iterator(sources)) {
+    if (!entry.is_regular_file() || (entry.path().extension() != ".h" && entry.path().extension() != ".cpp"))
+      continue;
+    const std::string text = test::readFile(entry.path());
+    for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
+      includes.push_back({fs::relative(entry.path(), sources), (*match)[1]});
+    }
+  }
+  return includes;
+}
+
+/// The folder below src that a path begins with; empty for none.
+std::string folderOf(const fs::path& path) { return path.has_parent_path() ? path.begin()->string() : ""; }
+
+/// "FILE includes TARGET" for each include that a folder may not have.
+std::vector<std::string> breaches(const std::vector<Include>& includes) {
+  std::vector<std::string> found;
+  for (const Include& include : includes) {
+    const std::string from = folderOf(include.file), to = folderOf(include.target);
+    const auto rule = kMayInclude.find(from);
+    const bool isOurs = kMayInclude.contains(to) && !to.empty();
+    const bool isVulkan = to == "vulkan";
+    const bool isForbidden = isVulkan ? from != "gpu" : isOurs && to != from && !rule->second.contains(to);
+    if (rule == kMayInclude.end() || isForbidden) {
+      found.push_back(include.file.string() + " includes " + include.target);
+    }
+  }
+  return found;
+}
+
+TEST(Floors, NoFileIncludesWhatStandsAboveIt) {
+  const std::vector<Include> includes = includesOf(fs::path(IMPORTON_SOURCES) / "src");
+  EXPECT_GT(includes.size(), 100u);
+  EXPECT_EQ(breaches(includes), std::vector<std::string>{});
+}
+
+TEST(Floors, TheCheckFindsBreaches) {
+  EXPECT_EQ(breaches({{"io/image.cpp", "render/renderer.h"}}).size(), 1u);
+  EXPECT_EQ(breaches({{"scene/scene.h", "gpu/buffer.h"}}).size(), 1u);
+  EXPECT_EQ(breaches({{"gpu/buffer.h", "scene/scene.h"}}).size(), 1u);
+  EXPECT_EQ(breaches({{"render/film.cpp", "vulkan/vulkan.h"}}).size(), 1u);
+  EXPECT_EQ(breaches({{"render/film.cpp", "app/progress.h"}}).size(), 1u);
+  EXPECT_EQ(breaches({{"newfolder/a.cpp", "vector"}}).size(), 1u);
+  EXPECT_EQ(
+      breaches({{"gpu/device.cpp", "vulkan/vulkan.h"}, {"app/run.cpp", "app/run.h"}, {"io/a.cpp", "vector"}})
+          .size(),
+      0u);
+}
+
+TEST(Floors, TheCheckReadsIncludes) {
+  const test::TemporaryFolder folder;
+  fs::create_directory(folder / "io");
+  test::writeFile(folder / "io/a.cpp",
+                  "#include \"base/log.h\"\n  #  include <vulkan/vulkan.h>\n// #include <no>\n");
+  const std::vector<Include> includes = includesOf(folder.path());
+  ASSERT_EQ(includes.size(), 2u);
+  EXPECT_EQ(includes[0].target, "base/log.h");
+  EXPECT_EQ(includes[1].target, "vulkan/vulkan.h");
+  EXPECT_EQ(includes[1].file, "io/a.cpp");
+}
+
+}  // namespace
+}  // namespace importon
