@@ -1,6 +1,7 @@
 // lib/dispatch.glsl and the way gpu::Recorder lays out workgroups must agree.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -25,9 +26,7 @@ class Dispatch : public test::GpuTest {
     run(recorder, kernel, bindings);
     recorder.submitAndWait();
     const auto counted = visits.download<std::uint32_t>(count + 1ull);
-    std::uint32_t wrong = 0;
-    for (std::uint32_t i = 0; i < count; ++i) wrong += counted[i] != 1 ? 1 : 0;
-    EXPECT_EQ(wrong, 0u);
+    EXPECT_EQ(std::count(counted.begin(), counted.end() - 1, 1u), count);
     EXPECT_LT(counted[count], padding);
   }
 };
@@ -56,7 +55,7 @@ TEST_F(Dispatch, IndirectGroupsVisitEachIndexOnce) {
   struct Push {
     std::uint32_t count, workgroupSize;
   };
-  for (const std::uint32_t count : {1u, 64u, 65u, 65535u * 64u, 65535u * 64u + 1u, 3u * 65535u * 64u + 77u}) {
+  for (const std::uint32_t count : {1u, 64u, 65u, 65535u * 64u, 65535u * 64u + 1u, 2u * 65535u * 64u + 77u}) {
     SCOPED_TRACE(count);
     expectOneVisitEach(count, 4 * 64, [&](auto& recorder, const auto& kernel, const auto& bindings) {
       recorder.dispatch(argumentsKernel, argumentBindings, 1, Push{count, kernel.workgroupSize()});
