@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <glslang/SPIRV/spirv.hpp>
 #include <map>
-#include <set>
 #include <stdexcept>
 
 namespace importon::gpu {
@@ -67,6 +66,12 @@ class Module {
   }
 
   void read(spv::Op op, Words w) {
+    readAnnotation(op, w);
+    readDefinition(op, w);
+    readUse(op, w);
+  }
+
+  void readAnnotation(spv::Op op, Words w) {
     switch (op) {
       case spv::OpName:
         at(w[0]).name = readString(w.subspan(1));
@@ -84,6 +89,13 @@ class Module {
       case spv::OpExecutionMode:
         if (w[1] == spv::ExecutionModeLocalSize) std::copy(w.begin() + 2, w.begin() + 5, localSize_.begin());
         break;
+      default:
+        break;
+    }
+  }
+
+  void readDefinition(spv::Op op, Words w) {
+    switch (op) {
       case spv::OpTypeInt:
       case spv::OpTypeFloat:
       case spv::OpTypeVector:
@@ -94,7 +106,6 @@ class Module {
       case spv::OpTypeRuntimeArray:
       case spv::OpTypeStruct:
       case spv::OpTypePointer:
-      case spv::OpTypeBool:
         at(w[0]).op = op;
         at(w[0]).operands.assign(w.begin() + 1, w.end());
         break;
@@ -107,6 +118,13 @@ class Module {
         at(w[1]).type = w[0];
         at(w[1]).operands.assign(w.begin() + 2, w.end());
         break;
+      default:
+        break;
+    }
+  }
+
+  void readUse(spv::Op op, Words w) {
+    switch (op) {
       case spv::OpStore:
         at(w[0]).isUsed = true;
         break;
