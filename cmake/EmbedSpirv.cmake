@@ -1,8 +1,8 @@
 # Writes OUTPUT, a C++ file that defines NAMESPACE::embedded::SYMBOL: the words of the SPIR-V module MODULE.
 file(READ ${MODULE} hexText HEX)
 string(REGEX REPLACE "(..)(..)(..)(..)" "0x\\4\\3\\2\\1," words "${hexText}")
-string(REGEX REPLACE "(0x[0-9a-f]+,0x[0-9a-f]+,0x[0-9a-f]+,0x[0-9a-f]+,0x[0-9a-f]+,0x[0-9a-f]+,0x[0-9a-f]+,0x[0-9a-f]+,)"
-                     "\\1\n" words "${words}")
+string(REPEAT "0x[0-9a-f]+," 8 line)
+string(REGEX REPLACE "(${line})" "\\1\n" words "${words}")
 file(WRITE ${OUTPUT} "#include <cstdint>
 #include <span>
 namespace ${NAMESPACE}::embedded {
