@@ -27,7 +27,8 @@ def build(folder):
     add_rooms(scene)
     add_furniture(scene)
     side = 0.3
-    scene.add_sheet("Light", "Light", quad((1.7 - side / 2, HEIGHT - 0.025, -0.5 - side / 2), (side, 0, 0), (0, 0, side)))
+    corner = (1.7 - side / 2, HEIGHT - 0.025, -0.5 - side / 2)
+    scene.add_sheet("Light", "Light", quad(corner, (side, 0, 0), (0, 0, side)))
     scene.add("Lamp", furniture.moved(furniture.ceiling_lamp(side, HEIGHT), (1.7, 0, -0.5)))
     return scene
 

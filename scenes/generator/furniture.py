@@ -122,7 +122,8 @@ def _books(width, room, depth, floor, source, vase_share):
     result, x = {}, -width / 2
     while x < width / 2 - 0.07:
         if source.random() < vase_share and x < width / 2 - 0.25:
-            result = together(result, moved(vase(0.07, min(room * 0.8, 0.24), steps=3, segments=16), (x + 0.11, floor, 0.03)))
+            piece = vase(0.07, min(room * 0.8, 0.24), steps=3, segments=16)
+            result = together(result, moved(piece, (x + 0.11, floor, 0.03)))
             x += 0.22
             continue
         thickness, tall = source.uniform(0.018, 0.05), room * source.uniform(0.62, 0.95)

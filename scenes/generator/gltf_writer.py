@@ -154,7 +154,8 @@ class GltfScene:
             definition = self.materials[name]
             material = {"name": name, **definition["gltf"]}
             if definition["texture"]:
-                material["pbrMetallicRoughness"]["baseColorTexture"] = {"index": self._texture_id(definition["texture"])}
+                texture = {"index": self._texture_id(definition["texture"])}
+                material["pbrMetallicRoughness"]["baseColorTexture"] = texture
             self.json["materials"].append(material)
             self.material_ids[name] = len(self.json["materials"]) - 1
         return self.material_ids[name]
