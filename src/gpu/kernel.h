@@ -14,6 +14,7 @@ namespace importon::gpu {
 /// Binding numbers are the same in every kernel (shaders/shared/bindings.h), so one table serves all of them:
 /// slot -> buffer. A kernel takes from the table what its module uses; what it declares without use may be
 /// missing.
+/// The table refers to the Buffer objects: those that a dispatch takes must not have been moved or destroyed.
 class BindingTable {
  public:
   void set(std::uint32_t slot, const Buffer& buffer);
