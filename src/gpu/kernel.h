@@ -30,7 +30,9 @@ struct Specialization {
 };
 
 /// Bindings, push-constant size and texel kinds come from reflection of the module. Throws DeviceError.
-/// Constructing kernels from several threads at once is allowed (compilation is the slow part on lavapipe).
+/// Constructing kernels from several threads at once is allowed: most drivers compile here. Lavapipe compiles
+/// at the first dispatch, whose time then holds the compilation unless the driver finds the code in its cache
+/// on disk.
 class Kernel {
  public:
   Kernel();
