@@ -1,0 +1,83 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+#include "io/image.h"
+#include "support/temporary_folder.h"
+
+namespace importon {
+namespace {
+
+using test::Outcome;
+using test::runImporton;
+using test::TemporaryFolder;
+
+/// Writes 4 x 2 grey pixels.
+std::string writeGrey(const TemporaryFolder& folder, const std::string& name, float value, int width = 4) {
+  Image image{width, 2, {}, {}};
+  for (const char* channel : {"R", "G", "B"}) {
+    image.channels.push_back({channel, std::vector<float>(static_cast<std::size_t>(2 * width), value)});
+  }
+  writeExr(folder / name, image);
+  return folder / name;
+}
+
+TEST(Cli, ComparePrintsEveryMetric) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      runImporton({"compare", writeGrey(folder, "a.exr", 2), writeGrey(folder, "r.exr", 1)});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  for (const char* line : {"relmse          0.990099", "relmse_trimmed  0.990099", "smape           0.333333",
+                           "rmse            1\n", "mean_ratio      2\n", "flip            0."}) {
+    EXPECT_NE(outcome.out.find(line), std::string::npos) << line << " in\n" << outcome.out;
+  }
+}
+
+TEST(Cli, CompareWritesJson) {
+  const TemporaryFolder folder;
+  const Outcome outcome = runImporton(
+      {"compare", writeGrey(folder, "a.exr", 2), writeGrey(folder, "r.exr", 1), "--json", "--floor", "0"});
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_NEAR(json["relmse"].get<double>(), 1, 1e-9);
+  EXPECT_NEAR(json["relmse_trimmed"].get<double>(), 1, 1e-9);
+  EXPECT_NEAR(json["smape"].get<double>(), 1.0 / 3, 1e-9);
+  EXPECT_NEAR(json["rmse"].get<double>(), 1, 1e-9);
+  EXPECT_NEAR(json["mean_ratio"].get<double>(), 2, 1e-9);
+  EXPECT_GT(json["flip"].get<double>(), 0);
+  EXPECT_EQ(json["non_finite_pixels"], 0);
+}
+
+TEST(Cli, CompareExitsWithFiveAboveALimit) {
+  const TemporaryFolder folder;
+  const std::string a = writeGrey(folder, "a.exr", 2), r = writeGrey(folder, "r.exr", 1);
+  EXPECT_EQ(runImporton({"compare", a, r, "--max-relmse", "1"}).status, 0);
+  EXPECT_EQ(runImporton({"compare", a, r, "--max-relmse", "0.9"}).status, 5);
+  EXPECT_EQ(runImporton({"compare", a, r, "--max-flip", "1"}).status, 0);
+  EXPECT_EQ(runImporton({"compare", a, r, "--max-flip", "0.001"}).status, 5);
+  EXPECT_EQ(runImporton({"compare", a, a, "--max-flip", "0", "--max-relmse", "0"}).status, 0);
+}
+
+TEST(Cli, CompareExceedsEveryLimitWithPixelsThatAreNotFinite) {
+  const TemporaryFolder folder;
+  const std::string a = writeGrey(folder, "a.exr", std::numeric_limits<float>::quiet_NaN());
+  const Outcome outcome = runImporton({"compare", a, writeGrey(folder, "r.exr", 1), "--max-relmse", "1e300"});
+  EXPECT_EQ(outcome.status, 5);
+  EXPECT_NE(outcome.out.find("non-finite pixels: 8"), std::string::npos) << outcome.out;
+}
+
+TEST(Cli, CompareRefusesWhatCannotBeCompared) {
+  const TemporaryFolder folder;
+  const std::string r = writeGrey(folder, "r.exr", 1);
+  EXPECT_EQ(runImporton({"compare", writeGrey(folder, "wide.exr", 1, 5), r}).status, 2);
+  EXPECT_EQ(runImporton({"compare", folder / "none.exr", r}).status, 2);
+  writeExr(folder / "depth.exr", {4, 2, {{"Z", std::vector<float>(8)}}, {}});
+  EXPECT_EQ(runImporton({"compare", folder / "depth.exr", r}).status, 2);
+  test::writeFile(folder / "text.exr", "no image");
+  EXPECT_EQ(runImporton({"compare", r, folder / "text.exr"}).status, 2);
+}
+
+}  // namespace
+}  // namespace importon

@@ -1,0 +1,151 @@
+// Whole renders by the binary, on the device.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+#include "io/image.h"
+#include "support/temporary_folder.h"
+
+namespace importon {
+namespace {
+
+using test::Outcome;
+using test::readFile;
+using test::runImporton;
+using test::TemporaryFolder;
+
+const std::string kScene = std::string(IMPORTON_SCENES) + "/cornell_box/cornell_box.gltf";
+const std::vector<std::string> kSmall{"--width", "32", "--height", "24"};
+
+std::vector<std::string> smallRender(const std::string& output, std::initializer_list<std::string> more) {
+  std::vector<std::string> arguments{kScene, "-o", output};
+  arguments.insert(arguments.end(), kSmall.begin(), kSmall.end());
+  arguments.insert(arguments.end(), more);
+  return arguments;
+}
+
+/// All finite, some of it lit.
+void expectGoodImage(const std::filesystem::path& file) {
+  const Image image = readExr(file);
+  EXPECT_EQ(image.width, 32);
+  EXPECT_EQ(image.height, 24);
+  double sum = 0;
+  for (const char* name : {"R", "G", "B"}) {
+    const Channel* channel = image.find(name);
+    ASSERT_NE(channel, nullptr) << name;
+    for (const float value : channel->values) sum += static_cast<double>(value);
+  }
+  EXPECT_TRUE(std::isfinite(sum));
+  EXPECT_GT(sum, 0);
+}
+
+TEST(CliRender, SmokeWritesImagePreviewAndStats) {
+  const TemporaryFolder folder;
+  const Outcome outcome = runImporton(smallRender(
+      folder / "o.exr", {"--passes", "2", "--png", folder / "o.png", "--stats", folder / "o.json"}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(folder.entries(), 3);
+  expectGoodImage(folder / "o.exr");
+  EXPECT_EQ(readFile(folder / "o.png").substr(1, 3), "PNG");
+  const auto stats = nlohmann::json::parse(readFile(folder / "o.json"));
+  EXPECT_EQ(stats["image"]["passes"], 2);
+  EXPECT_EQ(stats["image"]["width"], 32);
+  EXPECT_GT(stats["rays"]["closest"].get<double>(), 0);
+  EXPECT_FALSE(stats["kernels"].empty());
+  EXPECT_NE(stats["device"]["name"], "");
+  EXPECT_GT(stats["seconds"]["total"].get<double>(), 0);
+  EXPECT_GT(stats["memory"]["host_peak_bytes"].get<double>(), 1e6);
+}
+
+TEST(CliRender, ListsTheDevice) {
+  const Outcome outcome = runImporton({"devices"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("* "), std::string::npos) << outcome.out;
+}
+
+TEST(CliRender, GivesTheSameBytesForTheSameSeed) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.exr", "b.exr"}) {
+    ASSERT_EQ(runImporton(smallRender(folder / name, {"--passes", "2", "--seed", "7"})).status, 0);
+  }
+  ASSERT_EQ(runImporton(smallRender(folder / "c.exr", {"--passes", "2", "--seed", "8"})).status, 0);
+  EXPECT_EQ(readFile(folder / "a.exr"), readFile(folder / "b.exr"));
+  EXPECT_NE(readFile(folder / "a.exr"), readFile(folder / "c.exr"));
+}
+
+TEST(CliRender, SaysNothingWhenQuiet) {
+  const TemporaryFolder folder;
+  const Outcome outcome = runImporton(smallRender(folder / "o.exr", {"--passes", "1", "-q"}));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST(CliRender, ShowsProgressOnATerminalOnly) {
+  const TemporaryFolder folder;
+  const auto arguments = smallRender(folder / "o.exr", {"--passes", "2"});
+  EXPECT_NE(runImporton(arguments, {.hasTerminal = true}).err.find("pass 1/2"), std::string::npos);
+  EXPECT_EQ(runImporton(arguments).err.find("pass 1/2"), std::string::npos);
+}
+
+TEST(CliRender, AnUnknownDeviceIsADeviceError) {
+  const TemporaryFolder folder;
+  const Outcome outcome = runImporton(smallRender(folder / "o.exr", {"--device", "no such device"}));
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_NE(outcome.err.find("importon: error: "), std::string::npos);
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(CliRender, AnUnknownCameraIsAnErrorThatLeavesNothing) {
+  const TemporaryFolder folder;
+  const Outcome outcome = runImporton(smallRender(folder / "o.exr", {"--camera", "no such camera"}));
+  EXPECT_TRUE(outcome.status == 1 || outcome.status == 2) << outcome.status;
+  EXPECT_NE(outcome.err.find("importon: error: "), std::string::npos);
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+/// Sends `signal` once, after the first pass.
+test::RunOptions interruptedBy(int signal) {
+  return {.hasTerminal = true, .onErr = [signal, isSent = false](const std::string& err) mutable {
+            if (isSent || err.find("pass 1/") == std::string::npos) return 0;
+            isSent = true;
+            return signal;
+          }};
+}
+
+TEST(CliRender, WritesTheImageSoFarWhenInterrupted) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const TemporaryFolder folder;
+    const auto arguments = smallRender(folder / "o.exr", {"--passes", "1000000", "--stats", folder / "o.json"});
+    const Outcome outcome = runImporton(arguments, interruptedBy(signal));
+    EXPECT_EQ(outcome.status, 130) << outcome.err;
+    expectGoodImage(folder / "o.exr");
+    EXPECT_GE(nlohmann::json::parse(readFile(folder / "o.json"))["image"]["passes"], 1);
+    EXPECT_EQ(folder.entries(), 2);
+  }
+}
+
+TEST(CliRender, EndsAtOnceOnTheSecondInterrupt) {
+  const TemporaryFolder folder;
+  int sent = 0;
+  const auto onErr = [&sent](const std::string& err) {
+    const bool isDue = sent == 0 ? err.find("pass 1/") != std::string::npos
+                                 : sent == 1 && err.find("once more") != std::string::npos;
+    if (!isDue) return 0;
+    ++sent;
+    return SIGINT;
+  };
+  const Outcome outcome =
+      runImporton(smallRender(folder / "o.exr", {"--passes", "1000000", "--photons", "4000000"}),
+                  {.hasTerminal = true, .onErr = onErr});
+  EXPECT_EQ(sent, 2);
+  // Whichever comes first: the signal, or the end of the pass.
+  EXPECT_TRUE(outcome.signal == SIGINT || outcome.status == 130) << outcome.status;
+  EXPECT_EQ(std::filesystem::exists(folder / "o.exr"), outcome.signal == 0);
+}
+
+}  // namespace
+}  // namespace importon

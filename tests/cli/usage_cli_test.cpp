@@ -1,0 +1,107 @@
+// Exit statuses and one-line errors that need neither a device nor a render.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+#include "support/temporary_folder.h"
+
+namespace importon {
+namespace {
+
+using test::Outcome;
+using test::runImporton;
+using test::TemporaryFolder;
+using test::writeFile;
+
+const std::string kScene = std::string(IMPORTON_SCENES) + "/cornell_box/cornell_box.gltf";
+const std::map<std::string, std::string> kNoDriver{{"VK_DRIVER_FILES", "/nowhere.json"},
+                                                   {"VK_ICD_FILENAMES", "/nowhere.json"}};
+
+/// One line of the form `importon: error: WHAT (WHERE): WHAT TO DO`, and nothing on stdout.
+void expectError(const Outcome& outcome, int status, const std::string& part) {
+  EXPECT_EQ(outcome.status, status) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err.find("importon: error: "), 0u) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_EQ(outcome.err.back(), '\n');
+  EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+}
+
+TEST(Cli, NoArgumentsIsAUsageError) { expectError(runImporton({}), 1, "see importon --help"); }
+
+TEST(Cli, AnUnknownOptionIsAUsageError) {
+  expectError(runImporton({"render", kScene, "-o", "o.exr", "--frobnicate"}), 1, "--frobnicate");
+  expectError(runImporton({"--frobnicate"}), 1, "importon render --help");
+}
+
+TEST(Cli, ABadValueIsAUsageError) {
+  expectError(runImporton({kScene, "-o", "o.exr", "--width", "0"}), 1, "--width");
+  expectError(runImporton({kScene, "-o", "o.exr", "--time", "soon"}), 1, "--time");
+  expectError(runImporton({kScene, "-o", "o.exr", "--aov", "beauty"}), 1, "choose among albedo");
+  expectError(runImporton({kScene, "-o", "o.exr", "--control", "maybe"}), 1, "off");
+}
+
+TEST(Cli, HelpAndVersionGoToStdout) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"--help"}, {"render", "--help"}, {"compare", "-h"}, {"--version"}}) {
+    const Outcome outcome = runImporton(arguments);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_NE(outcome.out.find("importon"), std::string::npos);
+    EXPECT_EQ(outcome.out.back(), '\n');
+  }
+}
+
+TEST(Cli, AMissingSceneIsASceneErrorAndLeavesNothing) {
+  const TemporaryFolder folder;
+  expectError(runImporton({folder / "none.gltf", "-o", folder / "o.exr", "--png", folder / "o.png"}), 2,
+              "none.gltf");
+  expectError(runImporton({"info", folder / "none.gltf"}), 2, "none.gltf");
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(Cli, AMalformedSceneIsASceneErrorAndLeavesNothing) {
+  const TemporaryFolder folder;
+  writeFile(folder / "bad.gltf", "{ \"asset\": ");
+  expectError(runImporton({folder / "bad.gltf", "-o", folder / "o.exr"}), 2, "bad.gltf");
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(Cli, OutputsAreCheckedBeforeTheSceneIsRead) {
+  const TemporaryFolder folder;
+  const std::string scene = folder / "none.gltf", good = folder / "o.exr", bad = folder / "no/folder/o";
+  expectError(runImporton({scene, "-o", bad}), 4, "create the folder");
+  expectError(runImporton({scene, "-o", good, "--png", bad}), 4, "create the folder");
+  expectError(runImporton({scene, "-o", good, "--stats", bad}), 4, "create the folder");
+  expectError(runImporton({scene, "-o", folder.path()}), 4, "file name");
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(Cli, NoVulkanDeviceIsADeviceErrorAndLeavesNothing) {
+  const TemporaryFolder folder;
+  expectError(runImporton({"devices"}, {.environment = kNoDriver}), 3, "driver");
+  expectError(
+      runImporton({kScene, "-o", folder / "o.exr", "--png", folder / "o.png", "--stats", folder / "o.json"},
+                  {.environment = kNoDriver}),
+      3, "driver");
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(Cli, AFullDiskBehindStdoutIsAnOutputError) {
+  const Outcome outcome = runImporton({"--help"}, {.outFile = "/dev/full"});
+  expectError(outcome, 4, "standard output");
+}
+
+TEST(Cli, InfoNeedsNoDevice) {
+  const Outcome text = runImporton({"info", kScene}, {.environment = kNoDriver});
+  EXPECT_EQ(text.status, 0) << text.err;
+  EXPECT_NE(text.out.find("triangles  36"), std::string::npos) << text.out;
+  const Outcome json = runImporton({"info", kScene, "--json"}, {.environment = kNoDriver});
+  EXPECT_EQ(json.status, 0) << json.err;
+  EXPECT_EQ(nlohmann::json::parse(json.out)["triangles"], 36);
+}
+
+}  // namespace
+}  // namespace importon
