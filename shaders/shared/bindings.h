@@ -1,4 +1,5 @@
-// One number per buffer, the same in every kernel (set 0). A kernel declares those that it uses.
+// One number per buffer, the same in every kernel (set 0). A kernel declares those that it uses
+// (shaders/bindings/*.glsl).
 #ifndef IMPORTON_SHARED_BINDINGS_H
 #define IMPORTON_SHARED_BINDINGS_H
 #include "glsl_compat.h"
@@ -9,11 +10,10 @@ SHARED_BEGIN
 // a storage buffer at divergent addresses and which is not subject to its limit of 128 MiB.
 SHARED_CONST uint kBindingBvhNodes = 0;        // texel uint4
 SHARED_CONST uint kBindingBvhTriangles = 1;    // texel uint4
-SHARED_CONST uint kBindingVertices = 2;        // texel uint4, two per Vertex
+SHARED_CONST uint kBindingVertices = 2;        // texel uint4, three per vertex: DeviceVertex
 SHARED_CONST uint kBindingTriangles = 3;       // texel uint4, one per Triangle
-SHARED_CONST uint kBindingPositions = 4;       // texel float1, three per vertex
-SHARED_CONST uint kBindingMaterials = 5;       // texel uint4
-SHARED_CONST uint kBindingTextures = 6;        // storage, Texture[]
+SHARED_CONST uint kBindingMaterials = 5;       // texel uint4, eight per Material
+SHARED_CONST uint kBindingTextures = 6;        // texel uint4, four per DeviceTexture
 SHARED_CONST uint kBindingTexels = 7;          // texel uint1, RGBA8
 SHARED_CONST uint kBindingLights = 8;          // storage, Light[]
 SHARED_CONST uint kBindingLightAlias = 9;      // storage, LightAlias[]
@@ -25,6 +25,53 @@ SHARED_CONST uint kBindingRayTexels = 12;
 SHARED_CONST uint kBindingHits = 13;           // Hit[], by slot
 SHARED_CONST uint kBindingQueue = 14;          // storage, uint[]: slots to trace
 SHARED_CONST uint kBindingCounters = 15;       // storage, uint[]
+
+// Paths.
+SHARED_CONST uint kBindingParameters = 16;     // storage, Parameters
+SHARED_CONST uint kBindingPaths = 17;          // storage, PathState[], by slot
+SHARED_CONST uint kBindingShadowRays = 18;     // storage, Ray[], by slot
+SHARED_CONST uint kBindingShadowLight = 19;    // storage, vec4[], by slot: light that arrives if nothing is in the way
+SHARED_CONST uint kBindingEyeVertices = 20;    // storage, EyeVertex[], by slot: where a map is to be looked up
+SHARED_CONST uint kBindingNextQueue = 21;      // storage, uint[]
+SHARED_CONST uint kBindingDispatches = 22;     // storage, DispatchArguments[], by counter
+SHARED_CONST uint kBindingFilm = 23;           // storage, FilmPixel[]
+SHARED_CONST uint kBindingHitTexels = 24;      // texel uint4: kBindingHits
+
+// Lists: compaction, scan and sort.
+SHARED_CONST uint kBindingKeep = 25;           // storage, uint[]: 1 where an entry stays
+SHARED_CONST uint kBindingBlockSums = 26;      // storage, uint[]
+SHARED_CONST uint kBindingKeysIn = 27;         // storage, uint[]
+SHARED_CONST uint kBindingValuesIn = 28;
+SHARED_CONST uint kBindingKeysOut = 29;
+SHARED_CONST uint kBindingValuesOut = 30;
+
+// Maps. A grid is three arrays: cells, points in cell order, and their order.
+SHARED_CONST uint kBindingRecordPoints = 31;   // texel/storage MapPoint[], hits or importons as they came
+SHARED_CONST uint kBindingRecords = 32;        // storage, Record[]
+SHARED_CONST uint kBindingRequired = 33;       // storage, float[]: required density at each record, photons/m²
+SHARED_CONST uint kBindingCells = 34;          // texel uint2 (first, end) of a slot: the grid searched
+SHARED_CONST uint kBindingPoints = 35;         // texel uint4: its MapPoints in cell order
+SHARED_CONST uint kBindingOrder = 36;          // texel uint1: their indices
+SHARED_CONST uint kBindingStoredCells = 37;    // the grid of stored photons
+SHARED_CONST uint kBindingStoredPoints = 38;
+SHARED_CONST uint kBindingStoredOrder = 39;
+SHARED_CONST uint kBindingImportonCells = 40;  // the grid of importons
+SHARED_CONST uint kBindingImportonPoints = 41;
+SHARED_CONST uint kBindingImportonOrder = 42;
+SHARED_CONST uint kBindingImportance = 43;     // texel float1: importance at each importon, pixels/m²
+SHARED_CONST uint kBindingPhotonPoints = 44;   // storage, MapPoint[]: stored photons as they came
+SHARED_CONST uint kBindingPhotonFlux = 45;     // storage, uint[6] each: fixed-point flux
+SHARED_CONST uint kBindingMapFlux = 46;        // texel uint2: packed flux of stored photons in cell order
+SHARED_CONST uint kBindingCellsOut = 47;       // storage: a grid being built
+SHARED_CONST uint kBindingPointsOut = 48;
+SHARED_CONST uint kBindingSelection = 49;      // storage, uint[]: indices of the records of the map at work
+SHARED_CONST uint kBindingTotals = 50;         // storage, FluxTotals
+SHARED_CONST uint kBindingAov = 51;            // storage, float[]
+SHARED_CONST uint kBindingSelectedPoints = 53; // storage, MapPoint[]: of the selection, with their grid level
+SHARED_CONST uint kBindingNeighbours = 54;     // storage, uint[]: photons within the quota radius of each hit
+SHARED_CONST uint kBindingWeightsOut = 55;     // storage, float[]: pixels that each importon carries, in cell order
+SHARED_CONST uint kBindingWeights = 56;        // texel float1: the same
+SHARED_CONST uint kBindingPathLight = 52;      // storage, PathLight[], by slot
 
 SHARED_END
 #endif

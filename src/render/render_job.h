@@ -21,9 +21,11 @@ struct RenderJob {
   Integrator integrator = Integrator::photon;
   std::optional<int> passes;                 // at most
   std::optional<double> seconds;             // wall clock since the process started
+  std::optional<double> error;               // estimated relative error at which to stop
   std::optional<std::uint32_t> photons;      // emitted per pass, at most
   std::optional<std::uint32_t> importons;    // in all
   DensityControl control = DensityControl::density;
+  std::optional<std::uint32_t> photonBatch;  // photons traced at once
   double causticDensity = 20, globalDensity = 1.5;  // M_r, photons per pixel footprint
   std::optional<double> constantDensity;     // photons/m², the same everywhere
   int redistribute = 1;                      // M'

@@ -12,6 +12,9 @@
 
 namespace importon {
 
+/// The error at which a job that sets no limit of its own stops.
+inline constexpr double kDefaultError = 0.05;
+
 /// Told after every pass. Negative: not known.
 struct RenderProgress {
   int pass = 0, passes = 0;

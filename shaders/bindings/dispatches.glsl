@@ -1,0 +1,14 @@
+// Counters with the arguments of the indirect dispatches over what they count.
+#ifndef IMPORTON_BINDINGS_DISPATCHES_GLSL
+#define IMPORTON_BINDINGS_DISPATCHES_GLSL
+#include "bindings/parameters.glsl"
+
+layout(scalar, binding = kBindingDispatches) buffer DispatchesBlock { DispatchArguments dispatches[]; };
+
+void setCounter(uint counter, uint value) {
+  counters[counter] = value;
+  dispatches[counter].items = dispatchGroups(value, kWorkgroupSize);
+  dispatches[counter].tiles = dispatchGroups((value + kTileSize - 1u) / kTileSize, kWorkgroupSize);
+}
+
+#endif

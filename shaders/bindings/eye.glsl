@@ -1,0 +1,133 @@
+// The steps of kernels/eye_scatter.comp.
+#ifndef IMPORTON_BINDINGS_EYE_GLSL
+#define IMPORTON_BINDINGS_EYE_GLSL
+#include "lib/eye_stream.glsl"
+#include "lib/path.glsl"
+
+layout(scalar, binding = kBindingShadowRays) writeonly buffer ShadowRaysBlock { Ray shadowRays[]; };
+layout(scalar, binding = kBindingShadowLight) writeonly buffer ShadowLightBlock { vec3 shadowLight[]; };
+layout(scalar, binding = kBindingEyeVertices) writeonly buffer EyeVerticesBlock { EyeVertex eyeVertices[]; };
+
+/// Adds light found by the path itself (emitters, environment) to its component.
+void addFound(uint slot, PathState path, vec3 radiance) {
+  const vec3 light = path.throughput * radiance;
+  const bool isCaustic = (path.flags & kPathScattered) != 0u && (path.flags & kPathSpecular) != 0u;
+  if ((path.flags & kPathDeep) != 0u) pathLight[slot].indirect += light;
+  else if (isCaustic) pathLight[slot].caustic += light;
+  else pathLight[slot].direct += light;
+}
+
+/// True if light of the path's present history is left to the photon maps.
+bool isLeftToMaps(PathState path) {
+  return kEyeMode == kEyeImage && (path.flags & kPathScattered) != 0u && (path.flags & kPathSpecular) != 0u;
+}
+
+void addEnvironment(uint slot, PathState path, Ray ray) {
+  if (isLeftToMaps(path)) return;
+  float weight = 1.0;
+  if (path.pdfSolidAngle > 0.0) {
+    const float chosen = lightProbability(params.lightCount, params.environmentLight, ray.origin, path.lightWeight);
+    weight = powerHeuristic(path.pdfSolidAngle, chosen / (4.0 * kPi));
+  }
+  addFound(slot, path, params.environmentRadiance * weight);
+}
+
+void addEmission(uint slot, PathState path, Ray ray, Hit hit, Surface s) {
+  if ((s.flags & kMaterialUnlit) != 0u) {
+    if ((path.flags & kPathScattered) == 0u) addFound(slot, path, s.baseColor);  // seen, but no light source
+    return;
+  }
+  if (!kHasTriangleLights || !s.canEmit || isLeftToMaps(path)) return;
+  float weight = 1.0;
+  if (path.pdfSolidAngle > 0.0) {
+    const uint light = lightOfTriangle(hit.triangle);
+    const float cosine = abs(dot(ray.direction, s.geometricNormal));
+    if (light != kNone)
+      weight = powerHeuristic(path.pdfSolidAngle, pdfTriangleLight(params.lightCount, light, ray.origin,
+                                                                   path.lightWeight, hit.t, cosine));
+  }
+  addFound(slot, path, s.emission * weight);
+}
+
+void writeImporton(uint at, Surface s, Ray ray, PathState path, bool readsGlobal) {
+  recordPoints[at] = MapPoint(s.position, packMapPoint(-ray.direction, s.geometricNormal, 0u));
+  records[at] = Record(vec3(mean(path.throughput)), readsGlobal ? kRecordGlobal : kRecordCaustic);
+}
+
+void askForLookup(uint slot, Surface s, Ray ray, Hit hit, inout PathState path, bool readsGlobal, float radius) {
+  path.flags |= kPathLookup | (readsGlobal ? kPathLookupGlobal : 0u);
+  if ((path.flags & kPathScattered) != 0u) path.flags |= kPathLookupDeep;
+  eyeVertices[slot] = EyeVertex(s.position, radius, path.throughput, hit.triangle, ray.direction, hit.u, hit.v);
+}
+
+/// From off the surface to off the light.
+Ray shadowRay(Surface s, LightSample l, uint id) {
+  Ray ray = nextRay(s, l.direction, id);
+  if (l.distance < kInfinity) {
+    const vec3 to = l.target - ray.origin;
+    ray.tMax = length(to);
+    ray.direction = to / ray.tMax;
+  }
+  return ray;
+}
+
+/// A shadow ray towards a light, with what it brings if nothing is in the way. [Veach 1997, ch. 9]
+void sampleDirectLight(uint slot, inout PathState path, Surface s, Bsdf b, mat3 frame, Ray ray) {
+  const uint stream = eyeStream(path.id), index = eyeIndex(path.id);
+  float probability;
+  const uint light = chooseLight(params.lightCount, s.position,
+                                 sequencePoint(stream, index, eventPair(path.flags, kPairLight)).x, probability,
+                                 path.lightWeight);
+  if (light == kNone) return;
+  const LightSample l = sampleLight(light, probability, s.position,
+                                    sequencePoint(stream, index, eventPair(path.flags, kPairLightPoint)));
+  const bool isAcross = dot(l.direction, s.geometricNormal) <= 0.0;
+  const vec3 wi = l.direction * frame;
+  if (isAcross != (wi.z <= 0.0)) return;
+  float pdfScatter;
+  const vec3 f = evalBsdf(b, -ray.direction * frame, wi, pdfScatter);
+  const float weight = l.pdf > 0.0 ? powerHeuristic(l.pdf, pdfScatter) : 1.0;
+  const vec3 light3 = path.throughput * f * l.radiance * weight;
+  if (maxComponent(light3) <= 0.0) return;
+  shadowRays[slot] = shadowRay(s, l, ray.id);
+  shadowLight[slot] = light3;
+  if ((path.flags & kPathScattered) != 0u) path.flags |= kPathShadowDeep;
+  atomicAdd(counters[kCounterRaysShadow], 1u);
+}
+
+/// Samples the next direction. After a global lookup only a specular event goes on. False: the path ends.
+bool scatterEye(uint slot, inout PathState path, Surface s, Bsdf b, mat3 frame, Ray ray, bool hasRead, out Ray next) {
+  const uint stream = eyeStream(path.id), index = eyeIndex(path.id);
+  const vec2 choice = sequencePoint(stream, index, eventPair(path.flags, kPairLobe));
+  const vec2 u = sequencePoint(stream, index, eventPair(path.flags, kPairScatter));
+  const BsdfSample sampled = sampleBsdf(b, -ray.direction * frame, choice.x, u);
+  const vec3 wi = frame * sampled.wi;
+  next = nextRay(s, wi, hash(ray.id + 1u));
+  if (hasRead && !sampled.isDelta) return false;
+  if (!isConsistent(s, wi, sampled.isTransmission)) return false;
+  vec3 weight = sampled.weight;
+  // Radiance is scaled by the squared relative index where light is refracted. [Veach 1997, eq. 5.2]
+  if (kHasTransmission && sampled.isTransmission && !b.isThin) weight /= b.eta * b.eta;
+  path.throughput *= weight;
+  const float depth = float(path.flags & kPathDepthMask);
+  if (depth >= 3.0) {
+    const float survival = min(0.95, maxComponent(path.throughput) / (kEyeMode == kEyeImportons ? params.importonFlux : 1.0));
+    if (!(choice.y < survival)) return false;
+    path.throughput /= survival;
+  }
+  if (sampled.isDelta) {
+    path.flags |= kPathSpecular;
+    path.pdfSolidAngle = 0.0;
+  } else {
+    if ((path.flags & kPathScattered) != 0u) path.flags |= kPathDeep;
+    else if (kEyeMode != kEyeImportons) pathLight[slot].modulation = path.throughput;
+    path.flags = (path.flags & ~kPathSpecular) | kPathScattered;
+    path.pdfSolidAngle = sampled.pdf;
+    path.distance = 0.0;
+  }
+  path.flags += 1u;
+  path.medium = mediumBehind(path.medium, s, sampled.isTransmission);
+  return (path.flags & kPathDepthMask) <= params.maxDepth && maxComponent(path.throughput) > 0.0;
+}
+
+#endif

@@ -1,0 +1,9 @@
+// Records of hits or importons as they come.
+#ifndef IMPORTON_BINDINGS_RECORDS_GLSL
+#define IMPORTON_BINDINGS_RECORDS_GLSL
+#include "bindings/parameters.glsl"
+
+layout(scalar, binding = kBindingRecordPoints) buffer RecordPointsBlock { MapPoint recordPoints[]; };
+layout(scalar, binding = kBindingRecords) buffer RecordsBlock { Record records[]; };
+
+#endif

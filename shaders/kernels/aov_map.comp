@@ -1,0 +1,38 @@
+#version 460
+// Importance, required density and density of the map at work, at the surface in the middle of each pixel.
+#extension GL_GOOGLE_include_directive : require
+#include "bindings/scene.glsl"
+#include "bindings/paths.glsl"
+#include "bindings/importance.glsl"
+#include "bindings/stored.glsl"
+
+layout(scalar, binding = kBindingAov) writeonly buffer AovBlock { float aov[]; };
+layout(push_constant, scalar) uniform PushBlock { AovMapPush push; };
+
+/// Photons per m² within the lookup radius.
+float storedDensity(vec3 position, vec3 normal, float radius) {
+  uint count = 0u;
+  GridSearch search = beginSearch(storedFrame(), position, radius, radius);
+  while (nextPoint(search)) {
+    const vec3 offset = search.position - position;
+    if (dot(offset, offset) < radius * radius && isSameSurface(normal, mapPointNormal(search.packed), offset, radius))
+      ++count;
+  }
+  return float(count) / (kPi * radius * radius);
+}
+
+void main() {
+  const uint slot = invocationIndex();
+  if (slot >= push.count) return;
+  const Ray ray = rayAt(slot);
+  const Hit hit = hitAt(slot);
+  if (hit.triangle == kNone) return;
+  const Surface s = loadSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction);
+  MapSettings map = params.causticMap;
+  if (push.isGlobal != 0u) map = params.globalMap;
+  const float required = requiredDensity(map, s.position, s.geometricNormal);
+  const uint base = kAovFloats * slot + push.isGlobal;
+  aov[base + kAovImportance] = importanceAt(importonFrame(), map.importonLevels, s.position, s.geometricNormal);
+  aov[base + kAovRequired] = required;
+  aov[base + kAovDensity] = storedDensity(s.position, s.geometricNormal, lookupRadius(required));
+}

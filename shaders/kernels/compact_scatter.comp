@@ -1,0 +1,23 @@
+#version 460
+// Stable compaction, step 3: writes the entries that stay, in their order.
+#extension GL_GOOGLE_include_directive : require
+#include "bindings/parameters.glsl"
+
+layout(scalar, binding = kBindingKeep) readonly buffer KeepBlock { uint keep[]; };
+layout(scalar, binding = kBindingBlockSums) readonly buffer BlockSumsBlock { uint blockSums[]; };
+layout(scalar, binding = kBindingQueue) readonly buffer QueueBlock { uint queue[]; };
+layout(scalar, binding = kBindingNextQueue) writeonly buffer NextQueueBlock { uint nextQueue[]; };
+layout(push_constant, scalar) uniform PushBlock { CompactScatterPush push; };
+
+void main() {
+  const uint tile = invocationIndex();
+  const uint count = counters[push.source];
+  const uint begin = tile * kTileSize;
+  if (begin >= count) return;
+  const uint end = min(begin + kTileSize, count);
+  uint target = blockSums[tile];
+  for (uint i = begin; i < end; ++i) {
+    if (keep[i] == 0u) continue;
+    nextQueue[target++] = push.takesIndex != 0u ? i : queue[i];
+  }
+}

@@ -1,0 +1,37 @@
+#version 460
+// Paths leave the camera: one per pixel of a tile, or importons all over the image.
+#extension GL_GOOGLE_include_directive : require
+#include "bindings/paths.glsl"
+#include "bindings/film.glsl"
+#include "lib/features.glsl"
+#include "lib/camera.glsl"
+#include "lib/eye_stream.glsl"
+
+layout(push_constant, scalar) uniform PushBlock { EyeEmitPush push; };
+
+void main() {
+  const uint slot = invocationIndex();
+  if (slot >= push.count) return;
+  const uint id = push.first + slot;
+  vec2 u = sequencePoint(eyeStream(id), eyeIndex(id), kPairFirst);
+  if (push.isCentred != 0u) u = vec2(0.5);
+  const vec2 size = vec2(params.width, params.height);
+  const bool isImporton = kEyeMode == kEyeImportons;
+  const vec2 corner = vec2(id % params.width, id / params.width);
+  Ray ray = cameraRay(params, isImporton ? u * size : corner + u);
+  ray.id = hash(eyeStream(id) ^ hash(eyeIndex(id)));
+
+  PathState path;
+  // Importons: the whole image emits as many units as it has pixels.
+  path.throughput = vec3(isImporton ? size.x * size.y / float(push.total) : 1.0);
+  path.flags = 0u;
+  path.id = id;
+  path.medium = params.cameraMedium;
+  path.pdfSolidAngle = 0.0;
+  path.lightWeight = 0.0;
+  path.distance = 0.0;
+  rays[slot] = ray;
+  paths[slot] = path;
+  queue[slot] = slot;
+  if (!isImporton) pathLight[slot] = PathLight(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+}

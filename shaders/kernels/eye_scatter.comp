@@ -1,0 +1,68 @@
+#version 460
+// A path from the camera meets a surface. Light emitted there is added; at a surface that is not purely specular
+// direct light is sampled and a map lookup asked for; then the path goes on: by a specular event, by a gather
+// ray, or beyond a gather segment that is too short for the global map. Importons do the same and leave a record
+// wherever the image would read a map.
+#extension GL_GOOGLE_include_directive : require
+#include "bindings/lights.glsl"
+#include "bindings/paths.glsl"
+#include "bindings/film.glsl"
+#include "bindings/records.glsl"
+#include "bindings/importance.glsl"
+#include "bindings/eye.glsl"
+
+layout(push_constant, scalar) uniform PushBlock { EyeScatterPush push; };
+
+/// True if the path, scattered before, may read the global map at s instead of going on; finds the lookup radius.
+bool readsGlobalMap(PathState path, Surface s, out float radius) {
+  radius = 0.0;
+  if (kEyeMode == kEyePath || !kHasGlobalMap || (path.flags & kPathScattered) == 0u) return false;
+  if (push.knowsImportance == 0u) return true;
+  radius = lookupRadius(requiredDensity(params.globalMap, s.position, s.geometricNormal));
+  return path.distance > 2.0 * radius || (path.flags & kPathDepthMask) >= params.maxDepth;
+}
+
+void main() {
+  const uint i = invocationIndex();
+  if (i >= counters[push.source]) return;
+  const uint slot = queue[i];
+  const Ray ray = rayAt(slot);
+  const Hit hit = hitAt(slot);
+  PathState path = paths[slot];
+  keep[i] = 0u;
+  path.flags &= ~(kPathLookup | kPathLookupGlobal | kPathLookupDeep | kPathShadowDeep);
+  if (kEyeMode == kEyeImportons) records[counters[kCounterRecords] + i].kind = kRecordNone;
+  else shadowRays[slot].tMax = 0.0;
+  paths[slot].flags = path.flags;
+  if (hit.triangle == kNone) {
+    if (kHasEnvironment && kEyeMode != kEyeImportons) addEnvironment(slot, path, ray);
+    return;
+  }
+
+  const Surface s = loadSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction);
+  if (kHasMedia) path.throughput *= mediumTransmittance(path.medium, s, hit.t);
+  path.distance += hit.t;
+  if (kEyeMode != kEyeImportons) addEmission(slot, path, ray, hit, s);
+  if ((s.flags & kMaterialUnlit) != 0u) return;
+
+  const float cosOut = dot(-ray.direction, s.shadingNormal);
+  const Bsdf b = makeBsdf(s, cosOut);
+  const mat3 frame = frameAround(s.shadingNormal);
+  const bool isRough = hasRoughLobe(b);
+  float radius;
+  const bool reads = isRough && readsGlobalMap(path, s, radius);
+  if (isRough) {
+    if (kEyeMode == kEyeImportons) {
+      writeImporton(counters[kCounterRecords] + i, s, ray, path, reads);
+    } else {
+      if (reads || (kHasCausticMap && kEyeMode == kEyeImage)) askForLookup(slot, s, ray, hit, path, reads, radius);
+      if (!reads) sampleDirectLight(slot, path, s, b, frame, ray);
+    }
+  }
+  Ray next;
+  const bool goesOn = scatterEye(slot, path, s, b, frame, ray, reads, next);
+  paths[slot] = path;
+  if (!goesOn) return;
+  keep[i] = 1u;
+  rays[slot] = next;
+}

@@ -1,0 +1,22 @@
+#version 460
+// Adds what the paths of a pass brought to the half of the film that the pass belongs to.
+#extension GL_GOOGLE_include_directive : require
+#include "bindings/film.glsl"
+
+layout(scalar, binding = kBindingFilm) buffer FilmBlock { FilmPixel film[]; };
+layout(push_constant, scalar) uniform PushBlock { FilmAddPush push; };
+
+void main() {
+  const uint slot = invocationIndex();
+  if (slot >= push.count) return;
+  const PathLight light = pathLight[slot];
+  FilmPixel pixel = film[push.offset + slot];
+  pixel.direct += light.direct;
+  pixel.caustic += light.caustic;
+  pixel.indirect += light.indirect;
+  pixel.irradiance += mix(light.indirect / light.modulation, vec3(0.0), lessThanEqual(light.modulation, vec3(0.0)));
+  pixel.modulation += light.modulation;
+  const vec3 sum = light.direct + light.caustic + light.indirect;
+  pixel.square += sum * sum;
+  film[push.offset + slot] = pixel;
+}

@@ -1,0 +1,28 @@
+#version 460
+// Sums fixed-point flux exactly: of the selected hits (isMap = 0), or of the stored photons.
+#extension GL_GOOGLE_include_directive : require
+#include "bindings/photons.glsl"
+#include "bindings/selection.glsl"
+
+layout(scalar, binding = kBindingTotals) buffer TotalsBlock { uint totals[]; };  // hits, map: 3 channels of 2 words
+layout(push_constant, scalar) uniform PushBlock { FluxSumPush push; };
+
+void main() {
+  const uint tile = invocationIndex();
+  const uint count = counters[push.source];
+  const uint begin = tile * kTileSize;
+  if (begin >= count) return;
+  const uint end = min(begin + kTileSize, count);
+  uvec2 sums[3] = uvec2[3](uvec2(0u), uvec2(0u), uvec2(0u));
+  for (uint i = begin; i < end; ++i) {
+    vec3 flux = vec3(0.0);
+    if (push.isMap == 0u) flux = records[selection[i]].flux * params.fluxScale;
+    for (uint c = 0u; c < 3u; ++c)
+      sums[c] = addFixed(sums[c], push.isMap != 0u ? photonChannel(i, c) : fixedFromFloat(flux[c]));
+  }
+  for (uint c = 0u; c < 3u; ++c) {
+    const uint at = 6u * push.isMap + 2u * c;
+    const uint before = atomicAdd(totals[at], sums[c].x);
+    atomicAdd(totals[at + 1u], sums[c].y + uint(before + sums[c].x < before));
+  }
+}

@@ -1,0 +1,22 @@
+#version 460
+// Cells of the finished importance map: each importon at the level where a cell holds about ten.
+#extension GL_GOOGLE_include_directive : require
+#include "bindings/selection.glsl"
+#include "lib/grid.glsl"
+#include "lib/map_point.glsl"
+
+layout(scalar, binding = kBindingKeysOut) writeonly buffer KeysBlock { uint keys[]; };
+layout(push_constant, scalar) uniform PushBlock { ImportonKeyPush push; };
+
+void main() {
+  const uint i = invocationIndex();
+  if (i >= counters[kCounterSelected]) return;
+  const GridFrame frame = GridFrame(params.gridOrigin, params.gridExtent, push.slotMask);
+  const float density = required[i] / params.importonFlux;  // importons/m²
+  MapPoint point = recordPoints[selection[i]];
+  const uint level = gridLevel(frame, inversesqrt(max(density, 1e-30)));
+  point.packed = withMapPointLevel(point.packed, level);
+  selectedPoints[i] = point;
+  keys[i] = gridSlot(frame, gridCellOf(frame, point.position, level), level);
+  atomicOr(counters[kCounterLevels], 1u << level);
+}

@@ -1,0 +1,22 @@
+#version 460
+// The level at which the search for M importons starts: the finest one whose cell holds a third of them.
+#extension GL_GOOGLE_include_directive : require
+#include "bindings/selection.glsl"
+#include "lib/grid.glsl"
+
+layout(scalar, binding = kBindingCellsOut) readonly buffer CountsBlock { uint counts[]; };
+layout(scalar, binding = kBindingNeighbours) writeonly buffer LevelsBlock { uint startLevels[]; };
+layout(push_constant, scalar) uniform PushBlock { ImportonLevelPush push; };
+
+void main() {
+  const uint i = invocationIndex();
+  if (i >= counters[kCounterSelected]) return;
+  const vec3 position = recordPoints[selection[i]].position;
+  const GridFrame frame = GridFrame(params.gridOrigin, params.gridExtent, push.slotMask);
+  uint level = kGridLevels - 1u;
+  while (level > 0u && counts[gridSlot(frame, gridCellOf(frame, position, level), level)] < push.nearest / 3u + 1u)
+    --level;
+  startLevels[i] = level;
+  // The next coarser level stands by for cells that a surface only cuts.
+  atomicOr(counters[kCounterLevels], (1u << level) | (1u << (level > 0u ? level - 1u : 0u)));
+}

@@ -1,0 +1,12 @@
+#version 460
+// Importance in cell order.
+#extension GL_GOOGLE_include_directive : require
+#include "bindings/selection.glsl"
+
+layout(scalar, binding = kBindingValuesIn) readonly buffer OrderBlock { uint order[]; };
+layout(scalar, binding = kBindingWeightsOut) writeonly buffer ImportanceBlock { float importance[]; };
+
+void main() {
+  const uint i = invocationIndex();
+  if (i < counters[kCounterSelected]) importance[i] = required[order[i]];
+}

@@ -1,0 +1,54 @@
+#version 460
+// Reads a photon map where eye paths asked for it: reflected radiance by density estimation. [Jensen 1996]
+#extension GL_GOOGLE_include_directive : require
+#include "bindings/scene.glsl"
+#include "bindings/paths.glsl"
+#include "bindings/film.glsl"
+#include "bindings/importance.glsl"
+#include "bindings/stored.glsl"
+#include "lib/bsdf.glsl"
+#include "lib/flux.glsl"
+
+layout(scalar, binding = kBindingEyeVertices) readonly buffer EyeVerticesBlock { EyeVertex eyeVertices[]; };
+layout(binding = kBindingMapFlux) uniform usamplerBuffer mapFlux;
+layout(push_constant, scalar) uniform PushBlock { MapLookupPush push; };
+
+/// Light reflected at s towards the path, W/(m² sr).
+vec3 reflectedRadiance(Surface s, vec3 direction, float radius) {
+  const mat3 frame = frameAround(s.shadingNormal);
+  const vec3 wo = -direction * frame;
+  const Bsdf b = makeBsdf(s, wo.z);
+  vec3 sum = vec3(0.0);
+  GridSearch search = beginSearch(storedFrame(), s.position, radius, radius);
+  while (nextPoint(search)) {
+    const vec3 offset = search.position - s.position;
+    const float d2 = dot(offset, offset);
+    if (d2 >= radius * radius) continue;
+    if (!isSameSurface(s.geometricNormal, mapPointNormal(search.packed), offset, radius)) continue;
+    const vec3 towardsLight = mapPointDirection(search.packed);
+    float pdf;
+    // Photons count flux per area of the true surface; the BSDF's cosine is the shading normal's.
+    const vec3 f = evalBsdf(b, wo, towardsLight * frame, pdf) / max(dot(towardsLight, s.geometricNormal), 0.05);
+    sum += f * unpackFlux(texelFetch(mapFlux, int(search.index)).xy) * epanechnikov(d2, radius);
+  }
+  return sum;
+}
+
+void main() {
+  const uint i = invocationIndex();
+  if (i >= counters[push.source]) return;
+  const uint slot = queue[i];
+  const uint flags = paths[slot].flags;
+  if ((flags & kPathLookup) == 0u || ((flags & kPathLookupGlobal) != 0u) != (push.isGlobal != 0u)) return;
+  const EyeVertex vertex = eyeVertices[slot];
+  const Surface s = loadSurface(vertex.triangle, vec2(vertex.u, vertex.v), vertex.direction);
+  float radius = vertex.radius;
+  if (radius <= 0.0) {
+    if (push.isGlobal != 0u) radius = lookupRadius(requiredDensity(params.globalMap, s.position, s.geometricNormal));
+    else radius = lookupRadius(requiredDensity(params.causticMap, s.position, s.geometricNormal));
+  }
+  const vec3 light = vertex.throughput * reflectedRadiance(s, vertex.direction, radius);
+  // kPathLookupDeep: the vertex was reached by a gather ray.
+  if ((flags & kPathLookupDeep) != 0u) pathLight[slot].indirect += light;
+  else pathLight[slot].caustic += light;
+}

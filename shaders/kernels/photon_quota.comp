@@ -1,0 +1,36 @@
+#version 460
+// The rank quota: a hit is stored if fewer than Q photons lie within its quota radius, counting those already
+// stored and the hits of the batch that come before it. The order of threads does not matter. Run over the grid
+// of stored photons first (isBatch = 0), then over the grid of the batch's hits.
+#extension GL_GOOGLE_include_directive : require
+#include "bindings/importance.glsl"
+#include "bindings/selection.glsl"
+#include "bindings/stored.glsl"
+
+layout(scalar, binding = kBindingValuesIn) readonly buffer OrderBlock { uint batchOrder[]; };
+layout(scalar, binding = kBindingNeighbours) buffer NeighboursBlock { uint neighbours[]; };
+layout(push_constant, scalar) uniform PushBlock { PhotonQuotaPush push; };
+
+void main() {
+  const uint j = invocationIndex();
+  if (j >= counters[kCounterSelected]) return;
+  const uint i = batchOrder[j];  // hits of one cell side by side
+  const MapPoint point = selectedPoints[i];
+  const vec3 normal = mapPointNormal(point.packed);
+  const float radius = quotaRadius(required[i]);
+  const uint quota = uint(params.quotaPhotons);
+  uint count = push.isBatch != 0u && push.hasStored != 0u ? neighbours[i] : 0u;
+  GridSearch search = beginSearch(storedFrame(), point.position, radius, radius);
+  while (count < quota && nextPoint(search)) {
+    if (push.isBatch != 0u && texelFetch(storedOrder, int(search.index)).x >= i) {
+      skipCell(search);  // a cell holds its hits in their order
+      continue;
+    }
+    const vec3 offset = search.position - point.position;
+    if (dot(offset, offset) < radius * radius &&
+        isSameSurface(normal, mapPointNormal(search.packed), offset, radius))
+      ++count;
+  }
+  neighbours[i] = count;
+  keep[i] = uint(count < quota);
+}

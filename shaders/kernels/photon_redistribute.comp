@@ -1,0 +1,63 @@
+#version 460
+// A rejected hit hands its power to the M' nearest stored photons of its surface. A receiver takes power from
+// within its own quota radius only, so none crosses a step of importance; without a receiver the hit is stored
+// after all. [Suykens and Willems 2000, with the limits of METHOD: a door slit needs them]
+#extension GL_GOOGLE_include_directive : require
+#include "bindings/importance.glsl"
+#include "bindings/photons.glsl"
+#include "bindings/selection.glsl"
+#include "bindings/stored.glsl"
+
+const uint kMaxReceivers = 32u;
+layout(push_constant, scalar) uniform PushBlock { PhotonRedistributePush push; };
+
+uint photons[kMaxReceivers];
+float distances[kMaxReceivers];
+
+/// Keeps the nearest receivers, sorted by distance; returns their new number.
+uint insertReceiver(uint count, uint photon, float d2) {
+  uint at = min(count, push.receivers - 1u);
+  if (count == push.receivers && d2 >= distances[at]) return count;
+  for (; at > 0u && distances[at - 1u] > d2; --at) {
+    distances[at] = distances[at - 1u];
+    photons[at] = photons[at - 1u];
+  }
+  distances[at] = d2;
+  photons[at] = photon;
+  return min(count + 1u, push.receivers);
+}
+
+uint findReceivers(MapPoint point, float radius) {
+  const vec3 normal = mapPointNormal(point.packed);
+  uint count = 0u;
+  GridSearch search = beginSearch(storedFrame(), point.position, radius, radius);
+  while (nextPoint(search)) {
+    const vec3 offset = search.position - point.position;
+    const float d2 = dot(offset, offset);
+    // A quarter of its cell's edge is at most the receiver's quota radius.
+    const float own = min(radius, 0.25 * gridCellEdge(search.frame, search.level));
+    if (d2 >= own * own || !isSameSurface(normal, mapPointNormal(search.packed), offset, radius)) continue;
+    count = insertReceiver(count, texelFetch(storedOrder, int(search.index)).x, d2);
+  }
+  return count;
+}
+
+void main() {
+  const uint i = invocationIndex();
+  if (i >= counters[kCounterSelected]) return;
+  if (keep[i] != 0u) {
+    keep[i] = 0u;  // stored already
+    return;
+  }
+  const uint count = findReceivers(selectedPoints[i], quotaRadius(required[i]));
+  keep[i] = uint(count == 0u);
+  if (count == 0u) return;
+  atomicAdd(counters[kCounterRedistributed], 1u);
+  const vec3 flux = records[selection[i]].flux * params.fluxScale;
+  for (uint c = 0u; c < 3u; ++c) {
+    uint rest;
+    const uvec2 share = divideFixed(fixedFromFloat(flux[c]), count, rest);
+    addToPhoton(photons[0], c, addFixed(share, uvec2(rest, 0u)));
+    for (uint k = 1u; k < count; ++k) addToPhoton(photons[k], c, share);
+  }
+}

@@ -1,0 +1,64 @@
+#version 460
+// A photon meets a surface: it leaves a record there and goes on by the adjoint BSDF, or is absorbed.
+#extension GL_GOOGLE_include_directive : require
+#include "bindings/scene.glsl"
+#include "bindings/paths.glsl"
+#include "bindings/records.glsl"
+#include "lib/map_point.glsl"
+#include "lib/path.glsl"
+
+layout(push_constant, scalar) uniform PushBlock { PhotonScatterPush push; };
+
+void writeRecord(uint at, Surface s, vec3 direction, PathState path) {
+  const bool isCaustic = (path.flags & (kPathScattered | kPathSpecular)) == kPathSpecular;
+  recordPoints[at] = MapPoint(s.position, packMapPoint(-direction, s.geometricNormal, 0u));
+  records[at] = Record(path.throughput, kRecordGlobal | (isCaustic ? kRecordCaustic : 0u));
+}
+
+/// Scatters the photon; false: absorbed. Throughput keeps its mean by Russian roulette.
+bool scatter(Surface s, Bsdf b, mat3 frame, vec3 direction, inout PathState path, out Ray ray) {
+  const uint stream = hashCombine(params.seed, kStreamPhotons);
+  const uint index = params.pass * params.photonsPerPass + path.id;
+  const vec2 choice = sequencePoint(stream, index, eventPair(path.flags, kPairLobe));
+  const vec3 towardsLight = -direction * frame;
+  const BsdfSample next = sampleBsdf(b, towardsLight, choice.x, sequencePoint(stream, index, eventPair(path.flags, kPairScatter)));
+  const vec3 wi = frame * next.wi;
+  ray = nextRay(s, wi, hash(index ^ hash(path.flags)));
+  if (!isConsistent(s, wi, next.isTransmission)) return false;
+  // Shading normals: the adjoint's factor. [Veach 1997, eq. 5.19]
+  const float adjoint = abs(towardsLight.z * dot(wi, s.geometricNormal)) /
+                        max(abs(dot(direction, s.geometricNormal) * next.wi.z), 1e-20);
+  const vec3 weight = next.weight * adjoint;
+  const float survival = min(1.0, maxComponent(weight * path.throughput) / max(maxComponent(path.throughput), 1e-38));
+  if (!(choice.y < survival)) return false;
+  path.throughput *= weight / survival;
+  path.medium = mediumBehind(path.medium, s, next.isTransmission);
+  path.flags = (path.flags + 1u) | (next.isDelta ? kPathSpecular : kPathScattered);
+  if (!next.isDelta) path.flags &= ~kPathSpecular;
+  return (path.flags & kPathDepthMask) <= params.maxDepth;
+}
+
+void main() {
+  const uint i = invocationIndex();
+  if (i >= counters[push.source]) return;
+  const uint slot = queue[i];
+  const uint at = counters[kCounterRecords] + i;
+  const Ray ray = rayAt(slot);
+  const Hit hit = hitAt(slot);
+  keep[i] = 0u;
+  records[at].kind = kRecordNone;
+  if (ray.tMax <= 0.0 || hit.triangle == kNone) return;
+
+  PathState path = paths[slot];
+  const Surface s = loadSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction);
+  if ((s.flags & kMaterialUnlit) != 0u) return;
+  if (kHasMedia) path.throughput *= mediumTransmittance(path.medium, s, hit.t);
+  const mat3 frame = frameAround(s.shadingNormal);
+  const Bsdf b = makeBsdf(s, dot(-ray.direction, s.shadingNormal));
+  if (hasRoughLobe(b)) writeRecord(at, s, ray.direction, path);
+  Ray next;
+  if (!scatter(s, b, frame, ray.direction, path, next)) return;
+  keep[i] = 1u;
+  rays[slot] = next;
+  paths[slot] = path;
+}

@@ -1,0 +1,19 @@
+// The specialization constants of the scene and the job as GLSL constants; defaults: everything on.
+#ifndef IMPORTON_LIB_FEATURES_GLSL
+#define IMPORTON_LIB_FEATURES_GLSL
+#include "shared/features.h"
+
+layout(constant_id = kSpecHasTextures) const bool kHasTextures = true;
+layout(constant_id = kSpecHasNormalMaps) const bool kHasNormalMaps = true;
+layout(constant_id = kSpecHasVertexColors) const bool kHasVertexColors = true;
+layout(constant_id = kSpecHasReflection) const bool kHasReflection = true;
+layout(constant_id = kSpecHasTransmission) const bool kHasTransmission = true;
+layout(constant_id = kSpecHasMedia) const bool kHasMedia = true;
+layout(constant_id = kSpecHasTriangleLights) const bool kHasTriangleLights = true;
+layout(constant_id = kSpecHasPunctualLights) const bool kHasPunctualLights = true;
+layout(constant_id = kSpecHasEnvironment) const bool kHasEnvironment = true;
+layout(constant_id = kSpecEyeMode) const uint kEyeMode = kEyeImage;
+layout(constant_id = kSpecHasCausticMap) const bool kHasCausticMap = true;
+layout(constant_id = kSpecHasGlobalMap) const bool kHasGlobalMap = true;
+
+#endif

@@ -1,0 +1,36 @@
+// Importance Γ at a point: that of a near importon with a like normal. The kernel defines the grid accessors of
+// lib/grid.glsl for the importons, `uvec4 importonPoint(uint index)` and `float importonImportance(uint index)`.
+#ifndef IMPORTON_LIB_IMPORTANCE_GLSL
+#define IMPORTON_LIB_IMPORTANCE_GLSL
+#include "lib/grid.glsl"
+#include "lib/map_point.glsl"
+
+const uint kImportonCandidates = 12u;  // of a cell that are looked at
+
+/// Γ in pixels/m² at `position` on a surface of `normal`; 0 where no importon is near. `levels`: a bit for each
+/// grid level in use. The finest level that holds a like importon in the cell decides.
+float importanceAt(GridFrame frame, uint levels, vec3 position, vec3 normal) {
+  while (levels != 0u) {
+    const uint level = uint(findMSB(levels));
+    levels ^= 1u << level;
+    const ivec3 cell = gridCellOf(frame, position, level);
+    const uvec2 range = importonCell(gridSlot(frame, cell, level));
+    const uint end = min(range.y, range.x + kImportonCandidates);
+    float nearest = 3.0e38, importance = -1.0;
+    for (uint i = range.x; i < end; ++i) {
+      const uvec4 point = importonPoint(i);
+      const vec3 p = uintBitsToFloat(point.xyz);
+      if (mapPointLevel(point.w) != level || gridCellOf(frame, p, level) != cell) continue;
+      const vec3 offset = p - position;
+      const float d2 = dot(offset, offset);
+      if (d2 < nearest && dot(mapPointNormal(point.w), normal) > 0.7) {
+        nearest = d2;
+        importance = importonImportance(i);
+      }
+    }
+    if (importance >= 0.0) return importance;
+  }
+  return 0.0;
+}
+
+#endif

@@ -1,0 +1,191 @@
+// Lights: choosing one for a point, sampling it, and emitting photons from it.
+// The kernel defines `Light lightAt(uint index)`, `LightAlias lightAliasAt(uint index)` and includes
+// lib/surface.glsl before this file.
+#ifndef IMPORTON_LIB_LIGHT_GLSL
+#define IMPORTON_LIB_LIGHT_GLSL
+
+const uint kLinearLights = 64u;  // up to so many, every light is weighed at every point
+
+struct LightSample {
+  vec3 direction;   // to the light, unit length
+  float distance;   // m, infinite for directional lights and the environment
+  vec3 target;      // where a shadow ray ends: off the light's surface; if the distance is finite
+  vec3 radiance;    // divided by the density of sampling and of choosing the light: what f·cos multiplies
+  float pdf;        // 1/sr, choosing included; 0: no other technique finds this light
+};
+
+/// Irradiance that a light may bring to x, roughly: the weight of choosing it. Zero only where it brings none.
+float lightWeight(Light light, vec3 x) {
+  if (light.kind == kLightDirectional) return mean(light.emission);
+  if (light.kind == kLightEnvironment) return kPi * mean(light.emission);
+  const vec3 to = light.position - x;
+  const float d2 = dot(to, to);
+  if (light.kind == kLightTriangle) {
+    const bool isBehind = dot(to, light.direction) > 0.0 && light.isTwoSided == 0u;
+    if (isBehind) return 0.0;  // exact: all of the light lies in one plane
+    return light.power / (kPi * max(d2, light.area));
+  }
+  return light.power / (4.0 * kPi * max(d2, 1e-30));
+}
+
+/// Chooses a light for x; `weightSum` is what lightProbability needs to know of the choice.
+uint chooseLight(uint count, vec3 x, float u, out float probability, out float weightSum) {
+  probability = 0.0;
+  weightSum = 0.0;
+  if (count > kLinearLights) {
+    const float scaled = u * float(count);
+    const uint i = min(uint(scaled), count - 1u);
+    const LightAlias entry = lightAliasAt(i);
+    const uint chosen = scaled - float(i) < entry.threshold ? i : entry.other;
+    probability = lightAliasAt(chosen).probability;
+    return chosen;
+  }
+  for (uint i = 0u; i < count; ++i) weightSum += lightWeight(lightAt(i), x);
+  if (weightSum <= 0.0) return kNone;
+  float left = u * weightSum;
+  uint chosen = kNone;
+  for (uint i = 0u; i < count; ++i) {
+    const float w = lightWeight(lightAt(i), x);
+    if (w > 0.0 && left >= 0.0) {
+      chosen = i;
+      probability = w / weightSum;
+    }
+    left -= w;
+  }
+  return chosen;
+}
+
+/// Probability with which chooseLight took `index` at x.
+float lightProbability(uint count, uint index, vec3 x, float weightSum) {
+  if (count > kLinearLights) return lightAliasAt(index).probability;
+  return weightSum > 0.0 ? lightWeight(lightAt(index), x) / weightSum : 0.0;
+}
+
+float spotFalloff(Light light, float cosine) {
+  const float t = clamp((cosine - light.cosOuter) / max(light.cosInner - light.cosOuter, 1e-4), 0.0, 1.0);
+  return t * t;  // KHR_lights_punctual
+}
+
+struct TrianglePoint {
+  vec3 position;
+  vec3 error;
+  vec3 normal;     // front side
+  float area;      // m²
+  vec3 radiance;   // W/(m² sr)
+};
+
+TrianglePoint lightTrianglePoint(uint triangle, vec2 u) {
+  const uvec4 indices = triangleTexel(triangle);
+  const vec3 p0 = vertexPosition(indices.x), p1 = vertexPosition(indices.y), p2 = vertexPosition(indices.z);
+  const vec2 w = sampleTriangle(u);
+  TrianglePoint p;
+  const HitPosition hit = hitPosition(p0, p1, p2, w.x, w.y);
+  p.position = hit.position;
+  p.error = hit.error;
+  p.normal = triangleNormal(p0, p1, p2);
+  p.area = 0.5 * length(cross(p1 - p0, p2 - p0));
+  p.radiance = uintBitsToFloat(materialTexel(8u * indices.w + 1u)).rgb;
+  if (kHasTextures) {
+    const uint texture = materialTexel(8u * indices.w + 6u).z;
+    if (texture != kNone) {
+      vec2 uv0, uv1;
+      interpolateUv(indices.xyz, vec3(1.0 - w.x - w.y, w), uv0, uv1);
+      p.radiance *= sampleTexture(texture, uv0, uv1).rgb;
+    }
+  }
+  return p;
+}
+
+/// A sample of light `index`, chosen with `probability`, as seen from x.
+LightSample sampleLight(uint index, float probability, vec3 x, vec2 u) {
+  const Light light = lightAt(index);
+  LightSample s;
+  s.radiance = vec3(0.0);
+  s.pdf = 0.0;
+  s.direction = vec3(0.0, 0.0, 1.0);
+  s.distance = kInfinity;
+  s.target = vec3(0.0);
+  if (kHasTriangleLights && light.kind == kLightTriangle) {
+    const TrianglePoint p = lightTrianglePoint(light.triangle, u);
+    const vec3 to = p.position - x;
+    const float d2 = dot(to, to);
+    s.distance = sqrt(d2);
+    s.direction = to / s.distance;
+    float cosine = -dot(p.normal, s.direction);
+    if (light.isTwoSided != 0u) cosine = abs(cosine);
+    if (cosine <= 0.0 || d2 <= 0.0) return s;
+    s.pdf = probability * d2 / (cosine * p.area);
+    s.target = offsetOrigin(p.position, p.error, p.normal, -s.direction);
+    s.radiance = p.radiance / s.pdf;
+  } else if (kHasEnvironment && light.kind == kLightEnvironment) {
+    s.direction = sampleSphere(u);
+    s.pdf = probability / (4.0 * kPi);
+    s.radiance = light.emission / s.pdf;
+  } else if (kHasPunctualLights) {
+    if (light.kind == kLightDirectional) {
+      s.direction = -light.direction;
+      s.radiance = light.emission / probability;
+    } else {
+      const vec3 to = light.position - x;
+      const float d2 = max(dot(to, to), 1e-30);
+      s.target = light.position;
+      s.distance = sqrt(d2);
+      s.direction = to / s.distance;
+      const float falloff = light.kind == kLightSpot ? spotFalloff(light, -dot(light.direction, s.direction)) : 1.0;
+      s.radiance = light.emission * (falloff / (d2 * probability));
+    }
+  }
+  return s;
+}
+
+/// Density (1/sr, choosing included) with which light sampling at x finds the point at `distance` on a light
+/// triangle whose normal makes `cosine` with the ray.
+float pdfTriangleLight(uint count, uint index, vec3 x, float weightSum, float distance, float cosine) {
+  const Light light = lightAt(index);
+  const float probability = lightProbability(count, index, x, weightSum);
+  return probability * distance * distance / max(cosine * light.area, 1e-30);
+}
+
+struct Emission {
+  vec3 origin;
+  vec3 direction;
+  vec3 flux;   // W, of the light as a whole, for this sample
+};
+
+/// A photon of a light: uPoint on its surface (or across its beam), uDirection.
+Emission emitFromLight(uint index, vec2 uPoint, vec2 uDirection, vec3 sceneCentre, float sceneRadius) {
+  const Light light = lightAt(index);
+  Emission e;
+  e.origin = light.position;
+  e.direction = light.direction;
+  e.flux = vec3(0.0);
+  if (kHasTriangleLights && light.kind == kLightTriangle) {
+    const bool isTwoSided = light.isTwoSided != 0u;
+    const bool isBack = isTwoSided && uDirection.x >= 0.5;
+    if (isTwoSided) uDirection.x = 2.0 * uDirection.x - (isBack ? 1.0 : 0.0);
+    const TrianglePoint p = lightTrianglePoint(light.triangle, uPoint);
+    const vec3 n = isBack ? -p.normal : p.normal;
+    e.direction = frameAround(n) * sampleCosineHemisphere(uDirection);
+    e.origin = offsetOrigin(p.position, p.error, n, e.direction);
+    e.flux = p.radiance * (kPi * p.area * (isTwoSided ? 2.0 : 1.0));
+  } else if (kHasEnvironment && light.kind == kLightEnvironment) {
+    e.direction = sampleSphere(uDirection);
+    e.origin = sceneCentre + frameAround(e.direction) * vec3(sampleDisc(uPoint) * sceneRadius, -sceneRadius);
+    e.flux = light.emission * (4.0 * kPi * kPi * sceneRadius * sceneRadius);
+  } else if (kHasPunctualLights) {
+    if (light.kind == kLightDirectional) {
+      e.origin = sceneCentre + frameAround(e.direction) * vec3(sampleDisc(uPoint) * sceneRadius, -sceneRadius);
+      e.flux = light.emission * (kPi * sceneRadius * sceneRadius);
+    } else if (light.kind == kLightSpot) {
+      const vec3 local = sampleCone(uDirection, light.cosOuter);
+      e.direction = frameAround(light.direction) * local;
+      e.flux = light.emission * (spotFalloff(light, local.z) * 2.0 * kPi * (1.0 - light.cosOuter));
+    } else {
+      e.direction = sampleSphere(uDirection);
+      e.flux = light.emission * (4.0 * kPi);
+    }
+  }
+  return e;
+}
+
+#endif

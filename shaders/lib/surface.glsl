@@ -1,0 +1,152 @@
+// The surface at a hit: position with its error, normals, and the material's values there.
+// The kernel defines `uvec4 triangleTexel(uint)`, `uvec4 vertexTexel(uint)`, `uvec4 materialTexel(uint)` and
+// what lib/texture.glsl asks for before including this file.
+#ifndef IMPORTON_LIB_SURFACE_GLSL
+#define IMPORTON_LIB_SURFACE_GLSL
+#include "lib/features.glsl"
+#include "lib/offset.glsl"
+#include "lib/packing.glsl"
+#include "lib/sampling.glsl"
+#include "lib/texture.glsl"
+
+struct Surface {
+  vec3 position;
+  vec3 error;            // bound on the position's rounding error, m
+  vec3 geometricNormal;  // on the side that the ray came from
+  vec3 shadingNormal;    // likewise, and never facing away from the ray
+  bool isFront;
+  bool canEmit;          // the side emits
+  uint material;
+  uint flags;
+  vec3 baseColor;
+  float metallic;
+  float alpha;           // GGX roughness: glTF roughness squared
+  float transmission;
+  float ior;
+  vec3 f0;               // reflectance at normal incidence
+  float f90;
+  vec3 emission;         // W/(m² sr)
+  vec3 absorption;       // 1/m, of the solid behind the surface
+};
+
+struct VertexValues {
+  vec3 normal;       // not normalised; zero: flat
+  vec2 uv0, uv1;
+  vec4 tangent;      // w: sign of the bitangent
+  vec4 color;
+};
+
+vec3 vertexPosition(uint vertex) { return uintBitsToFloat(vertexTexel(3u * vertex).xyz); }
+
+/// Texture coordinates at barycentric weights (u, v).
+void interpolateUv(uvec3 vertices, vec3 weights, out vec2 uv0, out vec2 uv1) {
+  const vec4 a = uintBitsToFloat(vertexTexel(3u * vertices.x + 1u));
+  const vec4 b = uintBitsToFloat(vertexTexel(3u * vertices.y + 1u));
+  const vec4 c = uintBitsToFloat(vertexTexel(3u * vertices.z + 1u));
+  const vec4 uv = weights.x * a + weights.y * b + weights.z * c;
+  uv0 = uv.xy;
+  uv1 = uv.zw;
+}
+
+/// Tangent frame or vertex colour: the third texel.
+void interpolateExtras(uvec3 vertices, vec3 weights, out vec4 tangent, out vec4 color) {
+  tangent = vec4(0.0);
+  color = vec4(0.0);
+  for (uint i = 0u; i < 3u; ++i) {
+    const uvec4 texel = vertexTexel(3u * vertices[i] + 2u);
+    if (kHasNormalMaps && texel.x != kNone) {
+      const vec4 t = unpackTangent(texel.x);
+      tangent.xyz += weights[i] * t.xyz;
+      tangent.w = t.w;
+    }
+    color += weights[i] * vec4(unpackHalf2x16(texel.y), unpackHalf2x16(texel.z));
+  }
+}
+
+vec4 texturedOr1(uint texture, vec2 uv0, vec2 uv1) {
+  return texture == kNone ? vec4(1.0) : sampleTexture(texture, uv0, uv1);
+}
+
+/// Turns the shading normal back to the ray's side where it faces away, so that no light leaks through.
+vec3 keepOnRaySide(vec3 shadingNormal, vec3 geometricNormal, vec3 direction) {
+  const float away = dot(shadingNormal, direction);
+  if (away < 0.0) return shadingNormal;
+  // Push towards the geometric normal until the ray grazes it.
+  const float facing = -dot(geometricNormal, direction);
+  const float t = (away + 1e-3) / max(away + 1e-3 + facing, 1e-20);
+  return normalize(mix(shadingNormal, geometricNormal, clamp(t, 0.0, 1.0)));
+}
+
+vec3 mappedNormal(uint texture, float scale, vec3 normal, vec4 tangent, vec2 uv0, vec2 uv1) {
+  if (texture == kNone || dot(tangent.xyz, tangent.xyz) < 1e-12) return normal;
+  vec3 m = sampleTexture(texture, uv0, uv1).xyz * 2.0 - 1.0;
+  m.xy *= scale;
+  const vec3 t = normalize(tangent.xyz - normal * dot(normal, tangent.xyz));
+  return normalize(m.x * t + m.y * tangent.w * cross(normal, t) + m.z * normal);
+}
+
+/// The surface that a ray of `direction` (unit) met at barycentric weights (u, v) of `triangle`.
+Surface loadSurface(uint triangle, vec2 uvWeights, vec3 direction) {
+  const uvec4 indices = triangleTexel(triangle);
+  const uvec4 t0 = vertexTexel(3u * indices.x), t1 = vertexTexel(3u * indices.y), t2 = vertexTexel(3u * indices.z);
+  const vec3 p0 = uintBitsToFloat(t0.xyz), p1 = uintBitsToFloat(t1.xyz), p2 = uintBitsToFloat(t2.xyz);
+  const vec3 weights = vec3(1.0 - uvWeights.x - uvWeights.y, uvWeights);
+  Surface s;
+  const HitPosition hit = hitPosition(p0, p1, p2, uvWeights.x, uvWeights.y);
+  s.position = hit.position;
+  s.error = hit.error;
+  const vec3 frontNormal = triangleNormal(p0, p1, p2);
+  s.isFront = dot(frontNormal, direction) < 0.0;
+  s.geometricNormal = s.isFront ? frontNormal : -frontNormal;
+  vec3 normal = frontNormal;
+  if (t0.w != kNone && t1.w != kNone && t2.w != kNone) {
+    const vec3 n = weights.x * unpackNormal(t0.w) + weights.y * unpackNormal(t1.w) + weights.z * unpackNormal(t2.w);
+    if (dot(n, n) > 1e-12) normal = normalize(n);
+  }
+
+  s.material = indices.w;
+  const uint base = 8u * indices.w;
+  const vec4 m0 = uintBitsToFloat(materialTexel(base)), m1 = uintBitsToFloat(materialTexel(base + 1u));
+  const vec4 m2 = uintBitsToFloat(materialTexel(base + 2u)), m3 = uintBitsToFloat(materialTexel(base + 3u));
+  const vec4 m4 = uintBitsToFloat(materialTexel(base + 4u));
+  const uvec4 m5 = materialTexel(base + 5u);
+  s.flags = m5.z;
+  s.baseColor = m0.rgb;
+  s.emission = m1.rgb;
+  s.metallic = m1.a;
+  float roughness = m2.a;
+  s.absorption = m3.rgb;
+  s.transmission = m3.a;
+  s.ior = m4.x;
+  float specular = m4.y;
+  vec3 specularColor = m2.rgb;
+  if (kHasTextures || kHasVertexColors) {
+    const uvec4 m6 = materialTexel(base + 6u), m7 = materialTexel(base + 7u);
+    vec2 uv0, uv1;
+    interpolateUv(indices.xyz, weights, uv0, uv1);
+    vec4 tangent = vec4(0.0), color = vec4(1.0);
+    if (kHasNormalMaps || kHasVertexColors) interpolateExtras(indices.xyz, weights, tangent, color);
+    if (kHasVertexColors) s.baseColor *= color.rgb;
+    if (kHasTextures) {
+      s.baseColor *= texturedOr1(m5.w, uv0, uv1).rgb;
+      const vec4 mr = texturedOr1(m6.x, uv0, uv1);
+      roughness *= mr.g;
+      s.metallic *= mr.b;
+      s.emission *= texturedOr1(m6.z, uv0, uv1).rgb;
+      s.transmission *= texturedOr1(m6.w, uv0, uv1).r;
+      specular *= texturedOr1(m7.x, uv0, uv1).a;
+      specularColor *= texturedOr1(m7.y, uv0, uv1).rgb;
+    }
+    if (kHasNormalMaps) normal = mappedNormal(m6.y, m4.z, normal, tangent, uv0, uv1);
+  }
+  s.alpha = roughness * roughness;
+  s.shadingNormal = keepOnRaySide(s.isFront ? normal : -normal, s.geometricNormal, direction);
+  s.canEmit = (s.flags & kMaterialEmissive) != 0u && (s.isFront || (s.flags & kMaterialDoubleSided) != 0u);
+  const float r = (s.ior - 1.0) / (s.ior + 1.0);
+  const vec3 dielectricF0 = min(r * r * specularColor, vec3(1.0)) * specular;
+  s.f0 = mix(dielectricF0, s.baseColor, s.metallic);
+  s.f90 = mix(specular, 1.0, s.metallic);
+  return s;
+}
+
+#endif

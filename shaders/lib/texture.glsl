@@ -1,0 +1,58 @@
+// glTF textures out of plain buffers: wrapping, interpolation and sRGB as a sampler would do them, the same on
+// every device. The kernel defines `uvec4 textureTexel(uint index)` (four per texture) and
+// `uint imageTexel(uint index)` (RGBA8) before including this file.
+#ifndef IMPORTON_LIB_TEXTURE_GLSL
+#define IMPORTON_LIB_TEXTURE_GLSL
+
+int wrapTexel(int i, int size, uint mode) {
+  if (mode == kWrapClamp) return clamp(i, 0, size - 1);
+  if (mode == kWrapRepeat) {
+    const int m = i % size;
+    return m < 0 ? m + size : m;
+  }
+  const int period = 2 * size;
+  int m = i % period;
+  m = m < 0 ? m + period : m;
+  return m < size ? m : period - 1 - m;
+}
+
+/// IEC 61966-2-1.
+vec3 linearFromSrgb(vec3 c) {
+  const vec3 low = c * (1.0 / 12.92);
+  const vec3 high = pow((c + 0.055) * (1.0 / 1.055), vec3(2.4));
+  return mix(high, low, lessThanEqual(c, vec3(0.04045)));
+}
+
+vec4 decodeTexel(uint rgba, bool isSrgb) {
+  const vec4 c = unpackUnorm4x8(rgba);
+  return isSrgb ? vec4(linearFromSrgb(c.rgb), c.a) : c;
+}
+
+/// Sample of texture `index` at the vertex's UV sets, linear RGBA.
+vec4 sampleTexture(uint index, vec2 uv0, vec2 uv1) {
+  const uvec4 head = textureTexel(4u * index);           // firstTexel, width, height, wrapS
+  const uvec4 mode = textureTexel(4u * index + 1u);      // wrapT, isNearest, isSrgb, uvSet
+  const vec4 rowA = uintBitsToFloat(textureTexel(4u * index + 2u));  // uvRow0, uvRow1.x
+  const vec4 rowB = uintBitsToFloat(textureTexel(4u * index + 3u));  // uvRow1.yz
+  const vec3 uv = vec3(mode.w == 0u ? uv0 : uv1, 1.0);
+  const vec2 size = vec2(head.yz);
+  // Whole turns of a repeating texture cancel; what remains is small enough for int.
+  const vec2 p = clamp(vec2(dot(rowA.xyz, uv), dot(vec3(rowA.w, rowB.xy), uv)), vec2(-1e5), vec2(1e5)) * size;
+  const bool isSrgb = mode.z != 0u;
+  if (mode.y != 0u) {
+    const ivec2 i = ivec2(floor(p));
+    const int x = wrapTexel(i.x, int(head.y), head.w), y = wrapTexel(i.y, int(head.z), mode.x);
+    return decodeTexel(imageTexel(head.x + uint(y) * head.y + uint(x)), isSrgb);
+  }
+  const vec2 q = p - 0.5;
+  const ivec2 i = ivec2(floor(q));
+  const vec2 f = q - floor(q);
+  const int x0 = wrapTexel(i.x, int(head.y), head.w), x1 = wrapTexel(i.x + 1, int(head.y), head.w);
+  const uint y0 = head.x + uint(wrapTexel(i.y, int(head.z), mode.x)) * head.y;
+  const uint y1 = head.x + uint(wrapTexel(i.y + 1, int(head.z), mode.x)) * head.y;
+  const vec4 top = mix(decodeTexel(imageTexel(y0 + uint(x0)), isSrgb), decodeTexel(imageTexel(y0 + uint(x1)), isSrgb), f.x);
+  const vec4 bottom = mix(decodeTexel(imageTexel(y1 + uint(x0)), isSrgb), decodeTexel(imageTexel(y1 + uint(x1)), isSrgb), f.x);
+  return mix(top, bottom, f.y);
+}
+
+#endif

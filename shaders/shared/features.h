@@ -1,0 +1,32 @@
+// Ids of the specialization constants: what a scene needs decides which code a kernel keeps.
+#ifndef IMPORTON_SHARED_FEATURES_H
+#define IMPORTON_SHARED_FEATURES_H
+#include "glsl_compat.h"
+
+SHARED_BEGIN
+
+SHARED_CONST uint kSpecWorkgroupSize = 0u;
+// The traversal kernel.
+SHARED_CONST uint kSpecAnyHit = 1u;
+SHARED_CONST uint kSpecHasAlpha = 2u;
+// The scene.
+SHARED_CONST uint kSpecHasTextures = 3u;
+SHARED_CONST uint kSpecHasNormalMaps = 4u;
+SHARED_CONST uint kSpecHasVertexColors = 5u;
+SHARED_CONST uint kSpecHasReflection = 6u;     // any Fresnel or metallic reflection
+SHARED_CONST uint kSpecHasTransmission = 7u;
+SHARED_CONST uint kSpecHasMedia = 8u;          // absorbing solids
+SHARED_CONST uint kSpecHasTriangleLights = 9u;
+SHARED_CONST uint kSpecHasPunctualLights = 10u;
+SHARED_CONST uint kSpecHasEnvironment = 11u;
+// The job.
+SHARED_CONST uint kSpecEyeMode = 12u;          // kEyeImage, kEyeImportons, kEyePath
+SHARED_CONST uint kSpecHasCausticMap = 13u;
+SHARED_CONST uint kSpecHasGlobalMap = 14u;
+
+SHARED_CONST uint kEyeImage = 0u;       // the image, with the photon maps
+SHARED_CONST uint kEyeImportons = 1u;   // records where the image would read the maps
+SHARED_CONST uint kEyePath = 2u;        // unidirectional path tracing
+
+SHARED_END
+#endif

@@ -1,0 +1,193 @@
+// Push constants of the kernels.
+#ifndef IMPORTON_SHARED_PUSH_DATA_H
+#define IMPORTON_SHARED_PUSH_DATA_H
+#include "glsl_compat.h"
+
+SHARED_BEGIN
+
+/// kernels/compact_count.comp
+struct CompactCountPush {
+  uint source;
+};
+
+/// kernels/compact_scatter.comp
+struct CompactScatterPush {
+  uint source;
+  uint takesIndex;  // 1: writes the index of an entry; 0: the queue's value there
+};
+
+/// kernels/eye_emit.comp
+struct EyeEmitPush {
+  uint first;     // pixel or importon
+  uint count;
+  uint total;     // importons in all
+  uint isCentred; // 1: through the middle of the pixel
+};
+
+/// kernels/eye_light.comp
+struct EyeLightPush {
+  uint source;
+};
+
+/// kernels/eye_scatter.comp
+struct EyeScatterPush {
+  uint source;
+  uint knowsImportance;
+};
+
+/// kernels/flux_sum.comp
+struct FluxSumPush {
+  uint isMap;
+  uint source;
+};
+
+/// kernels/grid_cells.comp
+struct GridCellsPush {
+  uint source;
+  uint slotMask;
+};
+
+/// kernels/grid_points.comp
+struct GridPointsPush {
+  uint source;
+};
+
+/// kernels/hit_key.comp
+struct HitKeyPush {
+  uint isGlobal;
+  uint slotMask;
+  uint isControlled;
+};
+
+/// kernels/importon_count.comp
+struct ImportonCountPush {
+  uint slotMask;
+};
+
+/// kernels/importon_density.comp
+struct ImportonDensityPush {
+  uint levels;
+  uint nearest;
+};
+
+/// kernels/importon_entries.comp
+struct ImportonEntriesPush {
+  uint slotMask;
+  uint levels;
+};
+
+/// kernels/importon_key.comp
+struct ImportonKeyPush {
+  uint slotMask;
+};
+
+/// kernels/importon_level.comp
+struct ImportonLevelPush {
+  uint slotMask;
+  uint nearest;
+};
+
+/// kernels/importon_points.comp
+struct ImportonPointsPush {
+  uint levels;
+};
+
+/// kernels/map_lookup.comp
+struct MapLookupPush {
+  uint source;
+  uint isGlobal;
+};
+
+/// kernels/photon_emit.comp
+struct PhotonEmitPush {
+  uint firstPhoton;
+  uint count;
+};
+
+/// kernels/photon_key.comp
+struct PhotonKeyPush {
+  uint levelShift;
+  uint slotMask;
+};
+
+/// kernels/photon_quota.comp
+struct PhotonQuotaPush {
+  uint isBatch;
+  uint hasStored;
+};
+
+/// kernels/photon_redistribute.comp
+struct PhotonRedistributePush {
+  uint receivers;
+};
+
+/// kernels/photon_scatter.comp
+struct PhotonScatterPush {
+  uint source;
+};
+
+/// kernels/photon_store.comp
+struct PhotonStorePush {
+  uint capacity;
+};
+
+/// kernels/record_select.comp
+struct RecordSelectPush {
+  uint source;
+  uint mask;
+};
+
+/// kernels/scan.comp
+struct ScanPush {
+  uint source;  // counter of the entries
+  uint perTile;  // block sums per tile of entries (64 digits in a sort)
+  uint target;  // counter that receives the total; kNone: none
+  uint accumulate;  // counter that receives `source` on top of its value; kNone: none
+};
+
+/// kernels/set_counter.comp
+struct SetCounterPush {
+  uint counter;
+  uint value;
+  uint a;      // kNone: nothing is added
+  uint b;
+  uint limit;  // the counter stays at or below it
+};
+
+/// kernels/sort_count.comp
+struct SortCountPush {
+  uint source;
+  uint shift;
+};
+
+/// kernels/sort_scatter.comp
+struct SortScatterPush {
+  uint source;
+  uint shift;
+  uint isFirst;
+};
+
+/// kernels/film_add.comp
+struct FilmAddPush {
+  uint count;   // pixels of the tile
+  uint offset;  // first film pixel of the half
+};
+
+/// kernels/aov_surface.comp
+struct AovSurfacePush {
+  uint count;  // pixels of the tile
+};
+
+/// kernels/aov_map.comp
+struct AovMapPush {
+  uint count;
+  uint isGlobal;
+};
+
+/// kernels/trace.comp
+struct TracePush {
+  uint source;  // counter of the queue
+};
+
+SHARED_END
+#endif

@@ -1,0 +1,171 @@
+// What moves through a pass: parameters, paths, records of hits, counters.
+#ifndef IMPORTON_SHARED_RENDER_DATA_H
+#define IMPORTON_SHARED_RENDER_DATA_H
+#include "glsl_compat.h"
+
+SHARED_BEGIN
+
+/// What tells the caustic map and the global map apart.
+struct MapSettings {
+  float photonsPerPixel;  // M_r
+  float constantDensity;  // photons/m², 0: by importance
+  float densityFloor;     // photons/m²: least required density; the largest radius follows
+  uint importonLevels;    // grid levels that importons are in, a bit each
+  uint recordMask;        // kRecordCaustic or kRecordGlobal
+};
+
+/// The same for every kernel of a pass. Lengths in m, render space.
+struct Parameters {
+  vec3 cameraOrigin;
+  uint cameraIsOrthographic;
+  vec3 cameraForward;        // unit length
+  uint width;                // pixels
+  vec3 cameraRight;          // half the image's extent: at distance 1 (perspective) or in m (orthographic)
+  uint height;
+  vec3 cameraUp;
+  uint seed;
+  vec3 gridOrigin;           // lowest corner of the scene
+  float gridExtent;          // power of two, at least the scene's largest side
+  vec3 sceneCentre;
+  float sceneRadius;
+  vec3 environmentRadiance;  // W/(m² sr)
+  uint environmentLight;     // index of the environment among the lights, kNone: none
+  uint lightCount;
+  float totalPower;          // W, sum of Light::power
+  uint pass;                 // from 0; importance has its own random streams
+  uint maxDepth;             // scattering events
+  float fluxScale;           // units of fixed-point flux per W, a power of two
+  float lookupPhotons;       // M: photons within a lookup radius where the map has its required density
+  float quotaPhotons;        // Q: photons within a quota radius
+  uint photonsPerPass;
+  float densityScale;        // growth of D_r over passes
+  uint cameraMedium;         // material of the solid that the camera is in, kNone: none
+  float importonFlux;        // pixels that each importon starts with
+  MapSettings causticMap;
+  MapSettings globalMap;
+};
+
+/// Walker's alias table for choosing a light by its power. [Walker 1977]
+struct LightAlias {
+  float threshold;    // keep the entry below it, else take `other`
+  uint other;
+  float probability;  // of the light of this index
+};
+
+/// A path between two scattering events. Its ray is in the ray array at the same slot.
+struct PathState {
+  vec3 throughput;     // eye: weight against the first diffuse vertex; photon: flux in W; importon: pixels
+  uint flags;          // see below
+  uint id;             // eye: pixel; photon: index within the pass; importon: index
+  uint medium;         // material index of the medium that the ray is in, kNone: none
+  float pdfSolidAngle; // of the sampled direction, 1/sr; 0 after a specular event
+  float lightWeight;   // sum of the light weights at the last vertex, for MIS
+  float distance;      // m, length since the last non-specular vertex
+};
+
+// PathState::flags: low byte: scattering events so far
+SHARED_CONST uint kPathDepthMask = 0xFFu;
+SHARED_CONST uint kPathScattered = 0x100u;   // has had a non-specular event
+SHARED_CONST uint kPathSpecular = 0x200u;    // a specular event since the last non-specular one (or the start)
+SHARED_CONST uint kPathLookup = 0x400u;      // asks for a map lookup at its vertex
+SHARED_CONST uint kPathLookupGlobal = 0x800u;  // of the global map; else of the caustic map
+SHARED_CONST uint kPathDeep = 0x1000u;       // has gone on after its first gather ray
+SHARED_CONST uint kPathShadowDeep = 0x2000u; // its shadow ray counts as indirect light
+SHARED_CONST uint kPathLookupDeep = 0x4000u; // its map lookup counts as indirect light
+
+/// What a path brought to its pixel in this pass, W/(m² sr); direct and caustic with their modulation, indirect
+/// with it too, and the modulation apart.
+struct PathLight {
+  vec3 direct;      // emitted and direct
+  vec3 caustic;
+  vec3 indirect;
+  vec3 modulation;  // throughput times reflectance at the vertex that gathered
+};
+
+/// Sums over the passes of one half (odd or even passes), W/(m² sr).
+struct FilmPixel {
+  vec3 direct;      // emitted and direct
+  vec3 caustic;
+  vec3 indirect;    // with its modulation
+  vec3 irradiance;  // indirect without its modulation
+  vec3 modulation;
+  vec3 square;      // of the whole radiance of a pass
+};
+
+/// Where a path asks for a map lookup.
+struct EyeVertex {
+  vec3 position;
+  float radius;      // of the lookup, m; 0: to be found by the lookup
+  vec3 throughput;   // towards the vertex
+  uint triangle;
+  vec3 direction;    // of the ray that came
+  float u;           // barycentric weights of the hit
+  float v;
+};
+
+// Floats per pixel of the AOV buffer, in this order.
+SHARED_CONST uint kAovAlbedo = 0u;       // 3
+SHARED_CONST uint kAovNormal = 3u;       // 3, shading normal, world
+SHARED_CONST uint kAovPosition = 6u;     // 3, render space
+SHARED_CONST uint kAovDepth = 9u;        // m along the ray
+SHARED_CONST uint kAovEmission = 10u;    // 3
+SHARED_CONST uint kAovImportance = 13u;  // caustic, global: pixels/m²
+SHARED_CONST uint kAovRequired = 15u;    // caustic, global: photons/m²
+SHARED_CONST uint kAovDensity = 17u;     // caustic, global: photons/m² of the last pass's map
+SHARED_CONST uint kAovFloats = 19u;
+
+/// A stored or storable point: photon hit, importon, photon. 16 bytes: one texel.
+struct MapPoint {
+  vec3 position;
+  uint packed;  // direction, normal and grid level: lib/map_point.glsl
+};
+
+/// What a hit or importon carries beside its MapPoint.
+struct Record {
+  vec3 flux;    // photon: W; importon: pixels in x
+  uint kind;    // kRecord*
+};
+SHARED_CONST uint kRecordNone = 0u;
+SHARED_CONST uint kRecordCaustic = 1u;  // belongs to the caustic map
+SHARED_CONST uint kRecordGlobal = 2u;   // belongs to the global map; photons after S+ belong to both
+
+/// Workgroup counts of dispatches over what a counter counts: one invocation an item, or one a tile.
+struct DispatchArguments {
+  uvec3 items;
+  uvec3 tiles;
+};
+SHARED_CONST uint kWorkgroupSize = 64u;  // of kernels dispatched indirectly
+SHARED_CONST uint kTileSize = 64u;       // entries per invocation in compaction and sort
+SHARED_CONST uint kScanThreads = 256u; // workgroup size of the scan kernel
+SHARED_CONST uint kRadix = 64u;          // digits of the sort
+SHARED_CONST uint kRadixBits = 6u;
+
+// Purposes of random streams, mixed with the seed.
+SHARED_CONST uint kStreamPhotons = 1u;
+SHARED_CONST uint kStreamPixels = 2u;
+SHARED_CONST uint kStreamImportons = 3u;
+
+// Counters: uint each
+SHARED_CONST uint kCounterQueueA = 0u;
+SHARED_CONST uint kCounterQueueB = 1u;
+SHARED_CONST uint kCounterRecords = 2u;       // records written so far (queue entries passed)
+SHARED_CONST uint kCounterSelected = 3u;      // records of the map at work
+SHARED_CONST uint kCounterStored = 4u;        // photons in the map at work
+SHARED_CONST uint kCounterEntries = 6u;       // entries being sorted
+SHARED_CONST uint kCounterTotal = 7u;         // result of a scan
+SHARED_CONST uint kCounterOverflow = 8u;      // photons that found no room
+SHARED_CONST uint kCounterRaysClosest = 9u;   // rays traced in this pass
+SHARED_CONST uint kCounterRaysShadow = 10u;
+SHARED_CONST uint kCounterLevels = 11u;       // grid levels in use, a bit each
+SHARED_CONST uint kCounterRedistributed = 12u;  // hits of the map at work that gave their power away
+SHARED_CONST uint kCounterAccepted = 13u;       // hits accepted now
+// What each map keeps between batches: kCounterMap + kCountersPerMap · (0 caustic, 1 global) + which.
+SHARED_CONST uint kCounterMap = 16u;
+SHARED_CONST uint kCountersPerMap = 4u;
+SHARED_CONST uint kMapStored = 0u;
+SHARED_CONST uint kMapHits = 1u;
+SHARED_CONST uint kMapRedistributed = 2u;
+SHARED_CONST uint kCounterCount = 64u;
+
+SHARED_END
+#endif

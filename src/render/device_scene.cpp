@@ -1,0 +1,119 @@
+#include "render/device_scene.h"
+
+#include <cstring>
+#include <numeric>
+
+#include "shared/bindings.h"
+
+namespace importon {
+namespace {
+
+using gpu::TexelFormat;
+
+/// Three texels per vertex: position and normal; both UV sets; tangent and colour.
+std::vector<uvec4> packVertices(const Scene& scene) {
+  std::vector<uvec4> texels(3 * scene.vertices.size());
+  for (std::size_t i = 0; i < scene.vertices.size(); ++i) {
+    const Vertex& v = scene.vertices[i];
+    const vec4 uv(v.uv0, v.uv1);
+    std::memcpy(&texels[3 * i], &scene.positions[i], sizeof(vec3));
+    texels[3 * i].w = v.normal;
+    std::memcpy(&texels[3 * i + 1], &uv, sizeof uv);
+    texels[3 * i + 2] = uvec4(v.tangent, v.colorRG, v.colorBA, 0);
+  }
+  return texels;
+}
+
+/// Four texels per texture: see lib/texture.glsl.
+std::vector<uvec4> packTextures(const Scene& scene) {
+  std::vector<uvec4> texels(std::max<std::size_t>(4 * scene.textures.size(), 4));
+  for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+    const Texture& t = scene.textures[i];
+    const float rows[] = {t.uvRow0.x, t.uvRow0.y, t.uvRow0.z, t.uvRow1.x, t.uvRow1.y, t.uvRow1.z, 0, 0};
+    texels[4 * i] = uvec4(t.firstTexel, t.width, t.height, t.wrapS);
+    texels[4 * i + 1] = uvec4(t.wrapT, t.isNearest, t.isSrgb, t.uvSet);
+    std::memcpy(&texels[4 * i + 2], rows, sizeof rows);
+  }
+  return texels;
+}
+
+/// Lights with what only the device asks for: centroid, normal and sidedness of triangles.
+std::vector<Light> completeLights(const Scene& scene) {
+  std::vector<Light> lights = scene.lights;
+  for (Light& light : lights) {
+    if (light.kind != kLightTriangle) continue;
+    const Triangle& t = scene.triangles[light.triangle];
+    const vec3 a = scene.positions[t.v0], b = scene.positions[t.v1], c = scene.positions[t.v2];
+    light.position = (a + b + c) / 3.0f;
+    light.direction = vec3(glm::normalize(glm::cross(glm::dvec3(b - a), glm::dvec3(c - a))));
+    light.isTwoSided = (scene.materials[t.material].flags & kMaterialDoubleSided) != 0;
+  }
+  return lights;
+}
+
+template <class T>
+gpu::Buffer buffer(gpu::Context& context, const char* name, const std::vector<T>& data,
+                   TexelFormat format = TexelFormat::none) {
+  const std::vector<T> placeholder(1);
+  return gpu::makeBuffer<T>(context, name, data.empty() ? placeholder : data, format);
+}
+
+}  // namespace
+
+std::vector<LightAlias> makeAliasTable(const std::vector<double>& weights) {
+  const std::size_t n = weights.size();
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  std::vector<LightAlias> table(n);
+  std::vector<double> scaled(n);
+  std::vector<std::size_t> small, large;
+  for (std::size_t i = 0; i < n; ++i) {
+    scaled[i] = weights[i] / sum * static_cast<double>(n);
+    table[i] = {1.0f, static_cast<uint>(i), static_cast<float>(weights[i] / sum)};
+    (scaled[i] < 1 ? small : large).push_back(i);
+  }
+  while (!small.empty() && !large.empty()) {
+    const std::size_t s = small.back(), l = large.back();
+    small.pop_back();
+    table[s].threshold = static_cast<float>(scaled[s]);
+    table[s].other = static_cast<uint>(l);
+    scaled[l] -= 1 - scaled[s];
+    if (scaled[l] < 1) {
+      large.pop_back();
+      small.push_back(l);
+    }
+  }
+  return table;
+}
+
+DeviceScene uploadScene(gpu::Context& context, const Scene& scene, const Bvh& bvh) {
+  static_assert(sizeof(Material) == 128 && sizeof(Triangle) == 16, "read as whole texels");
+  std::vector<double> powers;
+  for (const Light& light : scene.lights) powers.push_back(light.power);
+  DeviceScene d;
+  d.bvhNodes = buffer(context, "BVH nodes", bvh.nodes, TexelFormat::uint4);
+  d.bvhTriangles = buffer(context, "BVH triangles", bvh.triangles, TexelFormat::uint4);
+  d.vertices = buffer(context, "vertices", packVertices(scene), TexelFormat::uint4);
+  d.triangles = buffer(context, "triangles", scene.triangles, TexelFormat::uint4);
+  d.materials = buffer(context, "materials", scene.materials, TexelFormat::uint4);
+  d.textures = buffer(context, "textures", packTextures(scene), TexelFormat::uint4);
+  d.texels = buffer(context, "texels", scene.texels, TexelFormat::uint1);
+  d.lights = buffer(context, "lights", completeLights(scene));
+  d.lightAlias = buffer(context, "light alias table", makeAliasTable(powers));
+  d.lightOfTriangle = buffer(context, "light of triangle", scene.lightOfTriangle, TexelFormat::uint1);
+  return d;
+}
+
+void DeviceScene::bind(gpu::BindingTable& table) const {
+  table.set(kBindingBvhNodes, bvhNodes);
+  table.set(kBindingBvhTriangles, bvhTriangles);
+  table.set(kBindingVertices, vertices);
+  table.set(kBindingTriangles, triangles);
+  table.set(kBindingMaterials, materials);
+  table.set(kBindingTextures, textures);
+  table.set(kBindingTexels, texels);
+  table.set(kBindingLights, lights);
+  table.set(kBindingLightAlias, lightAlias);
+  table.set(kBindingLightOfTriangle, lightOfTriangle);
+}
+
+}  // namespace importon

@@ -1,0 +1,24 @@
+/// The scene and its BVH in device memory.
+#pragma once
+#include "accel/bvh.h"
+#include "gpu/buffer.h"
+#include "gpu/kernel.h"
+#include "scene/scene.h"
+#include "shared/render_data.h"
+
+namespace importon {
+
+struct DeviceScene {
+  gpu::Buffer bvhNodes, bvhTriangles, vertices, triangles, materials, textures, texels, lights, lightAlias,
+      lightOfTriangle;
+  /// Enters all buffers under their binding numbers.
+  void bind(gpu::BindingTable& table) const;
+};
+
+/// Uploads; throws DeviceError with need and limit if the device cannot hold it.
+[[nodiscard]] DeviceScene uploadScene(gpu::Context& context, const Scene& scene, const Bvh& bvh);
+
+/// Alias table over `weights` (at least one, none negative, a positive sum). [Vose 1991]
+[[nodiscard]] std::vector<LightAlias> makeAliasTable(const std::vector<double>& weights);
+
+}  // namespace importon

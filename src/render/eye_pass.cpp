@@ -1,0 +1,98 @@
+#include "render/eye_pass.h"
+
+#include "shared/bindings.h"
+#include "shared/push_data.h"
+
+namespace importon {
+namespace {
+
+struct Queues {
+  const gpu::Buffer* now;
+  const gpu::Buffer* next;
+  uint counter = kCounterQueueA;
+  uint nextCounter = kCounterQueueB;
+  void swap() {
+    std::swap(now, next);
+    std::swap(counter, nextCounter);
+  }
+};
+
+Queues startQueues(const Stage& stage, const gpu::Kernel& emit, gpu::BindingTable& table, const EyeEmitPush& push) {
+  Queues queues{&stage.work.queueA, &stage.work.queueB};
+  table.set(kBindingQueue, *queues.now);
+  setCounter(stage, kCounterQueueA, push.count);
+  stage.recorder.dispatch(emit, table, push.count, push);
+  return queues;
+}
+
+void traceShadowRays(const Stage& stage, gpu::BindingTable table, uint counter) {
+  table.set(kBindingRays, stage.work.shadowRays);
+  table.set(kBindingRayTexels, stage.work.shadowRays);
+  table.set(kBindingHits, stage.work.shadowHits);
+  table.set(kBindingHitTexels, stage.work.shadowHits);
+  overItems(stage, stage.kernels.traceShadow, table, counter, TracePush{counter});
+  overItems(stage, stage.kernels.eyeLight, table, counter, EyeLightPush{counter});
+}
+
+void lookUp(const Stage& stage, gpu::BindingTable table, const ImportanceMap& importance, const PhotonMap& map,
+            uint counter, bool isGlobal) {
+  importance.bind(table);
+  map.bindFinished(table);
+  overItems(stage, stage.kernels.mapLookup, table, counter, MapLookupPush{counter, isGlobal});
+}
+
+}  // namespace
+
+void traceImportons(const Stage& stage, const ImportanceMap& global, std::uint32_t count, uint maxDepth,
+                    bool knowsImportance) {
+  gpu::BindingTable table = stage.work.table;
+  global.bind(table);
+  Queues queues = startQueues(stage, stage.kernels.importonEmit, table, EyeEmitPush{0, count, count, 0});
+  for (uint depth = 0; depth <= maxDepth; ++depth) {
+    table.set(kBindingQueue, *queues.now);
+    overItems(stage, stage.kernels.traceClosest, table, queues.counter, TracePush{queues.counter});
+    overItems(stage, stage.kernels.importonScatter, table, queues.counter,
+              EyeScatterPush{queues.counter, knowsImportance});
+    compact(stage, queues.counter, queues.nextCounter, queues.now, *queues.next, kCounterRecords);
+    queues.swap();
+  }
+  setCounter(stage, kCounterRaysClosest, 0, kCounterRaysClosest, kCounterRecords);
+}
+
+void traceImage(const Stage& stage, const EyeMaps& maps, uint first, uint count, uint maxDepth,
+                const gpu::Buffer& film, uint filmOffset) {
+  gpu::BindingTable table = stage.work.table;
+  maps.importance->global.bind(table);
+  Queues queues = startQueues(stage, stage.kernels.eyeEmit, table, EyeEmitPush{first, count, 0, 0});
+  for (uint depth = 0; depth <= maxDepth; ++depth) {
+    table.set(kBindingQueue, *queues.now);
+    overItems(stage, stage.kernels.traceClosest, table, queues.counter, TracePush{queues.counter});
+    overItems(stage, stage.kernels.eyeScatter, table, queues.counter, EyeScatterPush{queues.counter, 1});
+    traceShadowRays(stage, table, queues.counter);
+    if (maps.caustic != nullptr) lookUp(stage, table, maps.importance->caustic, *maps.caustic, queues.counter, false);
+    if (maps.global != nullptr && depth > 0)
+      lookUp(stage, table, maps.importance->global, *maps.global, queues.counter, true);
+    compact(stage, queues.counter, queues.nextCounter, queues.now, *queues.next, kCounterRaysClosest);
+    queues.swap();
+  }
+  table.set(kBindingFilm, film);
+  stage.recorder.dispatch(stage.kernels.filmAdd, table, count, FilmAddPush{count, filmOffset});
+}
+
+void traceAovs(const Stage& stage, const EyeMaps& maps, uint first, uint count, const gpu::Buffer& aov) {
+  gpu::BindingTable table = stage.work.table;
+  table.set(kBindingAov, aov);
+  startQueues(stage, stage.kernels.eyeEmit, table, EyeEmitPush{first, count, 0, 1});
+  overItems(stage, stage.kernels.traceClosest, table, kCounterQueueA, TracePush{kCounterQueueA});
+  stage.recorder.dispatch(stage.kernels.aovSurface, table, count, AovSurfacePush{count});
+  const auto addMap = [&](const PhotonMap* map, const ImportanceMap& importance, bool isGlobal) {
+    if (map == nullptr) return;
+    importance.bind(table);
+    map->bindFinished(table);
+    stage.recorder.dispatch(stage.kernels.aovMap, table, count, AovMapPush{count, isGlobal});
+  };
+  addMap(maps.caustic, maps.importance->caustic, false);
+  addMap(maps.global, maps.importance->global, true);
+}
+
+}  // namespace importon

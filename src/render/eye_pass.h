@@ -1,0 +1,28 @@
+/// Paths from the camera: the image's and the importons'.
+#pragma once
+#include "render/importance.h"
+#include "render/photon_map.h"
+
+namespace importon {
+
+/// Traces `count` importons and leaves their records in the workspace. `global` is read for the length of gather
+/// segments if `knowsImportance`.
+void traceImportons(const Stage& stage, const ImportanceMap& global, std::uint32_t count, uint maxDepth,
+                    bool knowsImportance);
+
+/// What camera paths read; a photon map is null where there is none.
+struct EyeMaps {
+  const ImportanceMaps* importance = nullptr;
+  const PhotonMap* caustic = nullptr;
+  const PhotonMap* global = nullptr;
+};
+
+/// One path for each of the pixels `first` .. `first + count`; adds what they bring to `film` from FilmPixel
+/// `filmOffset` on.
+void traceImage(const Stage& stage, const EyeMaps& maps, uint first, uint count, uint maxDepth,
+                const gpu::Buffer& film, uint filmOffset);
+
+/// Rays through the middle of the pixels, and the AOV buffer (kAovFloats per pixel) from what they hit.
+void traceAovs(const Stage& stage, const EyeMaps& maps, uint first, uint count, const gpu::Buffer& aov);
+
+}  // namespace importon

@@ -1,0 +1,77 @@
+#include "render/feature_set.h"
+
+#include <algorithm>
+
+#include "shared/features.h"
+
+namespace importon {
+namespace {
+
+/// Roughness below which lib/bsdf.glsl makes a lobe a delta: alpha = roughness² < kSmoothAlpha.
+constexpr float kSmoothRoughness = 0.0317f;
+
+bool reflects(const Material& m) {
+  return m.metallic > 0 || m.specular > 0 || m.transmission > 0 || m.metallicRoughnessTexture != kNone;
+}
+
+bool mayBeSmooth(const Material& m) {
+  return reflects(m) && (m.roughness < kSmoothRoughness || m.metallicRoughnessTexture != kNone);
+}
+
+bool usesTextures(const Material& m) {
+  const uint slots[] = {m.baseColorTexture,    m.metallicRoughnessTexture, m.normalTexture, m.emissiveTexture,
+                        m.transmissionTexture, m.specularTexture,          m.specularColorTexture};
+  return std::any_of(std::begin(slots), std::end(slots), [](uint slot) { return slot != kNone; });
+}
+
+bool hasAnyColor(const Scene& scene) {
+  constexpr uint kWhiteHalves = 0x3C003C00u;
+  return std::any_of(scene.vertices.begin(), scene.vertices.end(), [](const Vertex& v) {
+    return v.colorRG != kWhiteHalves || (v.colorBA & 0xFFFFu) != 0x3C00u;
+  });
+}
+
+}  // namespace
+
+FeatureSet findFeatures(const Scene& scene, const RenderJob& job) {
+  FeatureSet f;
+  for (const Material& m : scene.materials) {
+    f.hasAlpha = f.hasAlpha || (m.flags & (kMaterialAlphaMask | kMaterialAlphaBlend)) != 0;
+    f.hasTextures = f.hasTextures || usesTextures(m);
+    f.hasNormalMaps = f.hasNormalMaps || m.normalTexture != kNone;
+    f.hasReflection = f.hasReflection || reflects(m);
+    f.hasTransmission = f.hasTransmission || m.transmission > 0;
+    f.hasMedia = f.hasMedia || ((m.flags & kMaterialSolid) != 0 && m.transmission > 0 &&
+                                glm::any(glm::greaterThan(m.absorption, vec3(0))));
+    f.needsCausticMap = f.needsCausticMap || mayBeSmooth(m);
+  }
+  for (const Light& light : scene.lights) {
+    f.hasTriangleLights = f.hasTriangleLights || light.kind == kLightTriangle;
+    f.hasEnvironment = f.hasEnvironment || light.kind == kLightEnvironment;
+    f.hasPunctualLights = f.hasPunctualLights || (light.kind != kLightTriangle && light.kind != kLightEnvironment);
+  }
+  f.hasVertexColors = hasAnyColor(scene);
+  f.needsGlobalMap = true;
+  if (job.forcesAllFeatures) {
+    f = {true, true, true, true, true, true, true, true, true, f.hasEnvironment, true, true};
+  }
+  if (job.integrator == Integrator::path) f.needsCausticMap = f.needsGlobalMap = false;
+  return f;
+}
+
+std::vector<gpu::Specialization> specializations(const FeatureSet& f) {
+  return {{kSpecHasAlpha, f.hasAlpha},
+          {kSpecHasTextures, f.hasTextures},
+          {kSpecHasNormalMaps, f.hasNormalMaps},
+          {kSpecHasVertexColors, f.hasVertexColors},
+          {kSpecHasReflection, f.hasReflection},
+          {kSpecHasTransmission, f.hasTransmission},
+          {kSpecHasMedia, f.hasMedia},
+          {kSpecHasTriangleLights, f.hasTriangleLights},
+          {kSpecHasPunctualLights, f.hasPunctualLights},
+          {kSpecHasEnvironment, f.hasEnvironment},
+          {kSpecHasCausticMap, f.needsCausticMap},
+          {kSpecHasGlobalMap, f.needsGlobalMap}};
+}
+
+}  // namespace importon

@@ -1,0 +1,115 @@
+#include "render/importance.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "render/eye_pass.h"
+#include "shared/bindings.h"
+#include "shared/push_data.h"
+
+namespace importon {
+namespace {
+
+ImportanceMap makeMap(gpu::Context& context, const char* name, std::uint64_t capacity) {
+  ImportanceMap map;
+  map.grid = PointGrid(context, name, capacity);
+  map.importance = gpu::Buffer(context, std::string(name) + " importance", capacity * sizeof(float),
+                               gpu::TexelFormat::float1);
+  return map;
+}
+
+uint readCounter(const Stage& stage, uint counter) {
+  return stage.work.counters.download<uint>(1, counter * sizeof(uint)).front();
+}
+
+/// Selects the importons of `kind` and finds the grid levels at which their neighbours are searched.
+uint selectImportons(const Stage& stage, MapKind kind, const PointGrid& counts, uint nearest) {
+  gpu::BindingTable table = stage.work.table;
+  table.set(kBindingCellsOut, counts.cells);
+  overItems(stage, stage.kernels.recordSelect, table, kCounterRecords,
+            RecordSelectPush{kCounterRecords, recordMask(kind)});
+  compact(stage, kCounterRecords, kCounterSelected, nullptr, stage.work.selection);
+  setCounter(stage, kCounterLevels, 0);
+  stage.recorder.fill(counts.cells, 0);
+  overItems(stage, stage.kernels.importonCount, table, kCounterSelected, ImportonCountPush{counts.slotMask});
+  overItems(stage, stage.kernels.importonLevel, table, kCounterSelected,
+            ImportonLevelPush{counts.slotMask, nearest});
+  stage.recorder.submitAndWait();
+  return readCounter(stage, kCounterLevels);
+}
+
+/// Importance at each selected importon, into work.required.
+void estimateImportance(const Stage& stage, uint levels, uint count, uint nearest) {
+  const std::uint64_t entries = std::uint64_t{count} * static_cast<uint>(std::popcount(levels));
+  PointGrid grid(stage.gpu, "importon entries", std::max<std::uint64_t>(entries, 1));
+  gpu::Buffer weights(stage.gpu, "importon weights", std::max<std::uint64_t>(entries, 1) * sizeof(float),
+                      gpu::TexelFormat::float1);
+  setCounter(stage, kCounterEntries, static_cast<uint>(entries));
+  gpu::BindingTable table = stage.work.table;
+  table.set(kBindingKeysOut, stage.work.keysA);
+  overItems(stage, stage.kernels.importonEntries, table, kCounterEntries,
+            ImportonEntriesPush{grid.slotMask, levels});
+  sortIntoCells(stage, grid, kCounterEntries);
+  table.set(kBindingValuesIn, grid.order);
+  table.set(kBindingPointsOut, grid.points);
+  table.set(kBindingWeightsOut, weights);
+  overItems(stage, stage.kernels.importonPoints, table, kCounterEntries, ImportonPointsPush{levels});
+  bindStored(table, grid);
+  table.set(kBindingWeights, weights);
+  overItems(stage, stage.kernels.importonDensity, table, kCounterSelected, ImportonDensityPush{levels, nearest});
+  stage.recorder.submitAndWait();  // before the entries go
+}
+
+void buildMap(const Stage& stage, ImportanceMap& map, MapKind kind, uint nearest) {
+  map.levels = selectImportons(stage, kind, map.grid, nearest);
+  map.count = readCounter(stage, kCounterSelected);
+  if (map.count == 0) {
+    stage.recorder.fill(map.grid.cells, 0);
+    return;
+  }
+  estimateImportance(stage, map.levels, static_cast<uint>(map.count), nearest);
+  setCounter(stage, kCounterLevels, 0);
+  gpu::BindingTable table = stage.work.table;
+  table.set(kBindingKeysOut, stage.work.keysA);
+  overItems(stage, stage.kernels.importonKey, table, kCounterSelected, ImportonKeyPush{map.grid.slotMask});
+  buildGrid(stage, map.grid, kCounterSelected, stage.work.selectedPoints);
+  table.set(kBindingValuesIn, map.grid.order);
+  table.set(kBindingWeightsOut, map.importance);
+  stage.recorder.dispatch(stage.kernels.importonResolve, table, map.count);
+  stage.recorder.submitAndWait();
+  map.levels = readCounter(stage, kCounterLevels);
+}
+
+}  // namespace
+
+void ImportanceMap::bind(gpu::BindingTable& table) const {
+  table.set(kBindingImportonCells, grid.cells);
+  table.set(kBindingImportonPoints, grid.points);
+  table.set(kBindingImportonOrder, grid.order);
+  table.set(kBindingImportance, importance);
+}
+
+ImportanceMaps makeImportanceMaps(gpu::Context& context, std::uint64_t importons) {
+  return {makeMap(context, "caustic importons", importons), makeMap(context, "global importons", importons)};
+}
+
+void buildImportance(const Stage& stage, Parameters& parameters, ImportanceMaps& maps, std::uint32_t importons,
+                     uint nearest, bool needsCausticMap) {
+  for (const bool knowsImportance : {false, true}) {
+    // The first round only has to tell short gather segments from long ones.
+    const std::uint32_t count = knowsImportance ? importons : std::max(importons / 4, 1u);
+    parameters.importonFlux =
+        static_cast<float>(parameters.width) * static_cast<float>(parameters.height) / static_cast<float>(count);
+    stage.work.parameters.upload(std::span<const Parameters>(&parameters, 1));
+    stage.recorder.fill(stage.work.counters, 0);
+    traceImportons(stage, maps.global, count, parameters.maxDepth, knowsImportance);
+    buildMap(stage, maps.global, MapKind::global, nearest);
+    parameters.globalMap.importonLevels = maps.global.levels;
+    if (knowsImportance && needsCausticMap) {
+      buildMap(stage, maps.caustic, MapKind::caustic, nearest);
+      parameters.causticMap.importonLevels = maps.caustic.levels;
+    }
+  }
+}
+
+}  // namespace importon

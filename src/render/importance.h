@@ -1,0 +1,37 @@
+/// Importance maps: importons, and importance at each from its nearest ones.
+#pragma once
+#include "render/point_grid.h"
+
+namespace importon {
+
+/// The two maps of the method (kRecordCaustic, kRecordGlobal).
+enum class MapKind { caustic, global };
+
+[[nodiscard]] inline uint recordMask(MapKind kind) {
+  return kind == MapKind::caustic ? kRecordCaustic : kRecordGlobal;
+}
+
+/// Importons in cells, with importance Γ (pixels/m²) at each.
+struct ImportanceMap {
+  PointGrid grid;
+  gpu::Buffer importance;  // float per importon, in cell order
+  uint levels = 0;         // grid levels in use, a bit each
+  std::uint64_t count = 0;
+
+  void bind(gpu::BindingTable& table) const;
+};
+
+struct ImportanceMaps {
+  ImportanceMap caustic, global;
+};
+
+/// Makes empty maps for up to `importons` importons.
+[[nodiscard]] ImportanceMaps makeImportanceMaps(gpu::Context& context, std::uint64_t importons);
+
+/// Traces `importons` importons and builds both maps anew, twice: the first round takes every gather segment for
+/// long enough, the second one knows where the global map is read. `nearest` is M of the talk. Sets
+/// parameters.causticMap.importonLevels and that of the global map. Waits for the device.
+void buildImportance(const Stage& stage, Parameters& parameters, ImportanceMaps& maps, std::uint32_t importons,
+                     uint nearest, bool needsCausticMap);
+
+}  // namespace importon

@@ -1,0 +1,80 @@
+#include "render/kernel_set.h"
+
+#include "base/parallel.h"
+#include "kernels/registry.h"
+#include "shared/features.h"
+#include "shared/render_data.h"
+
+namespace importon {
+namespace {
+
+struct Entry {
+  gpu::Kernel* kernel;
+  const char* label;
+  const char* module;
+  std::vector<gpu::Specialization> extra;
+};
+
+std::vector<Entry> listCommon(KernelSet& k, Integrator integrator) {
+  const uint mode = integrator == Integrator::path ? kEyePath : kEyeImage;
+  return {{&k.setCounter, "set counter", "set_counter", {}},
+          {&k.compactCount, "compact count", "compact_count", {}},
+          {&k.scan, "scan", "scan", {{kSpecWorkgroupSize, kScanThreads}}},
+          {&k.compactScatter, "compact scatter", "compact_scatter", {}},
+          {&k.traceClosest, "trace closest", "trace", {{kSpecAnyHit, 0}}},
+          {&k.traceShadow, "trace shadow", "trace", {{kSpecAnyHit, 1}}},
+          {&k.eyeEmit, "camera rays", "eye_emit", {{kSpecEyeMode, mode}}},
+          {&k.eyeScatter, "shade camera path", "eye_scatter", {{kSpecEyeMode, mode}}},
+          {&k.eyeLight, "add direct light", "eye_light", {}},
+          {&k.filmAdd, "film", "film_add", {}},
+          {&k.aovSurface, "AOV surface", "aov_surface", {}}};
+}
+
+std::vector<Entry> listMaps(KernelSet& k) {
+  return {{&k.sortCount, "sort count", "sort_count", {}},
+          {&k.sortScatter, "sort scatter", "sort_scatter", {}},
+          {&k.gridCells, "grid cells", "grid_cells", {}},
+          {&k.gridPoints, "grid points", "grid_points", {}},
+          {&k.mapLookup, "map lookup", "map_lookup", {}},
+          {&k.aovMap, "AOV map", "aov_map", {}},
+          {&k.importonEmit, "importon rays", "eye_emit", {{kSpecEyeMode, kEyeImportons}}},
+          {&k.importonScatter, "scatter importon", "eye_scatter", {{kSpecEyeMode, kEyeImportons}}},
+          {&k.importonCount, "importon count", "importon_count", {}},
+          {&k.importonLevel, "importon level", "importon_level", {}},
+          {&k.importonEntries, "importon entries", "importon_entries", {}},
+          {&k.importonPoints, "importon points", "importon_points", {}},
+          {&k.importonDensity, "importance", "importon_density", {}},
+          {&k.importonKey, "importon key", "importon_key", {}},
+          {&k.importonResolve, "importance in order", "importon_resolve", {}},
+          {&k.photonEmit, "photon rays", "photon_emit", {}},
+          {&k.photonScatter, "scatter photon", "photon_scatter", {}},
+          {&k.recordSelect, "select records", "record_select", {}},
+          {&k.hitKey, "required density", "hit_key", {}},
+          {&k.photonQuota, "density quota", "photon_quota", {}},
+          {&k.photonStore, "store photons", "photon_store", {}},
+          {&k.photonKey, "photon key", "photon_key", {}},
+          {&k.photonRedistribute, "redistribute power", "photon_redistribute", {}},
+          {&k.photonResolve, "resolve map", "photon_resolve", {}},
+          {&k.fluxSum, "sum flux", "flux_sum", {}}};
+}
+
+}  // namespace
+
+KernelSet makeKernels(gpu::Context& context, const FeatureSet& features, Integrator integrator, int threads) {
+  KernelSet set;
+  std::vector<Entry> entries = listCommon(set, integrator);
+  if (integrator == Integrator::photon) {
+    for (Entry& entry : listMaps(set)) entries.push_back(std::move(entry));
+  }
+  const std::vector<gpu::Specialization> common = specializations(features);
+  parallelFor(entries.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      std::vector<gpu::Specialization> all = common;
+      all.insert(all.end(), entries[i].extra.begin(), entries[i].extra.end());
+      *entries[i].kernel = gpu::Kernel(context, entries[i].label, kernels::spirv(entries[i].module), all);
+    }
+  });
+  return set;
+}
+
+}  // namespace importon

@@ -1,0 +1,22 @@
+/// All kernels of a render, specialised by the scene's features.
+#pragma once
+#include "gpu/kernel.h"
+#include "render/feature_set.h"
+
+namespace importon {
+
+struct KernelSet {
+  gpu::Kernel setCounter, compactCount, scan, compactScatter, sortCount, sortScatter, gridCells, gridPoints;
+  gpu::Kernel traceClosest, traceShadow;
+  gpu::Kernel eyeEmit, eyeScatter, eyeLight, mapLookup, filmAdd, aovSurface, aovMap;
+  gpu::Kernel importonEmit, importonScatter, importonCount, importonLevel, importonEntries, importonPoints,
+      importonDensity, importonKey, importonResolve;
+  gpu::Kernel photonEmit, photonScatter, recordSelect, hitKey, photonQuota, photonStore, photonKey,
+      photonRedistribute, photonResolve, fluxSum;
+};
+
+/// Compiles what `features` and `integrator` call for, on up to `threads` threads (0: all).
+[[nodiscard]] KernelSet makeKernels(gpu::Context& context, const FeatureSet& features, Integrator integrator,
+                                    int threads);
+
+}  // namespace importon

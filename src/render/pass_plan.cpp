@@ -1,0 +1,92 @@
+#include "render/pass_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace importon {
+namespace {
+
+constexpr double kLookupPhotons = 32;       // M of a lookup; Q is a quarter of it
+constexpr double kLargestLookup = 0.04;     // radius over the scene's largest side
+constexpr std::uint64_t kBytesPerPhoton = 96;  // stored, sorted and finished, with its share of the cells
+constexpr uint kImportonLevels = 21;        // grid levels at which an importon may stand
+
+MapSettings mapSettings(const RenderJob& job, double photonsPerPixel, uint mask, double extent) {
+  const double radius = kLargestLookup * extent;
+  MapSettings map{};
+  map.photonsPerPixel = static_cast<float>(photonsPerPixel);
+  map.constantDensity = static_cast<float>(job.constantDensity.value_or(0));
+  map.densityFloor = static_cast<float>(kLookupPhotons / (M_PI * radius * radius));
+  map.recordMask = mask;
+  return map;
+}
+
+/// A power of two such that all flux that a map may hold stays below 2^62 units.
+float chooseFluxScale(double power, int maxDepth) {
+  const double most = 4 * power * (maxDepth + 2);
+  return static_cast<float>(std::exp2(std::clamp(61.0 - std::ceil(std::log2(most)), -120.0, 120.0)));
+}
+
+}  // namespace
+
+PassPlan planPasses(const RenderJob& job, glm::ivec2 size, const gpu::Limits& limits) {
+  const std::uint64_t pixels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
+  const std::uint64_t events = static_cast<std::uint64_t>(job.maxDepth) + 1;
+  PassPlan plan;
+  plan.tilePixels = std::min<std::uint64_t>(pixels, 1u << 18);
+  plan.maxPasses = job.passes.value_or(job.seconds ? 1 << 20 : 64);
+  plan.workspace.slots = plan.tilePixels;
+  plan.receivers = static_cast<uint>(job.redistribute);
+  if (job.integrator == Integrator::path) {
+    plan.importons = 1;
+    plan.workspace.records = 1;
+    plan.workspace.entries = plan.workspace.slots;
+    return plan;
+  }
+  plan.photons = job.photons.value_or(static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pixels, 1u << 16, 1u << 20)));
+  plan.batch = std::min(plan.photons, job.photonBatch.value_or(limits.isCpu ? 1u << 16 : 1u << 18));
+  plan.importons = job.importons.value_or(static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pixels, 1u << 14, 1u << 16)));
+  const std::uint64_t heapShare = job.memoryMiB ? *job.memoryMiB << 20 : limits.heapBytes / 4;
+  const std::uint64_t byRange = limits.maxStorageBufferRange / 24;
+  plan.mapCapacity = std::min({plan.photons * events, heapShare / (2 * kBytesPerPhoton), byRange});
+  plan.workspace.slots = std::max<std::uint64_t>({plan.workspace.slots, plan.batch, plan.importons});
+  plan.workspace.records = std::max<std::uint64_t>(plan.batch, plan.importons) * events;
+  plan.workspace.entries = std::max<std::uint64_t>(
+      {plan.workspace.records, plan.mapCapacity, std::uint64_t{plan.importons} * kImportonLevels});
+  return plan;
+}
+
+Parameters makeParameters(const RenderJob& job, const Scene& scene, const PassPlan& plan, glm::ivec2 size) {
+  Parameters p{};
+  p.width = static_cast<uint>(size.x);
+  p.height = static_cast<uint>(size.y);
+  setCamera(p, chooseCamera(scene, job), scene);
+  const vec3 sides = scene.boundsMax - scene.boundsMin;
+  const float longest = std::max({sides.x, sides.y, sides.z});
+  p.gridOrigin = scene.boundsMin;
+  p.gridExtent = std::exp2(std::ceil(std::log2(longest * 1.0001f)));
+  p.sceneCentre = 0.5f * (scene.boundsMin + scene.boundsMax);
+  p.sceneRadius = 0.5f * glm::length(sides);
+  p.environmentRadiance = scene.environmentRadiance.value_or(vec3(0));
+  p.environmentLight = kNone;
+  double power = 0;
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    power += scene.lights[i].power;
+    if (scene.lights[i].kind == kLightEnvironment) p.environmentLight = static_cast<uint>(i);
+  }
+  p.lightCount = static_cast<uint>(scene.lights.size());
+  p.totalPower = static_cast<float>(power);
+  p.seed = job.seed;
+  p.photonsPerPass = plan.photons;
+  p.maxDepth = static_cast<uint>(job.maxDepth);
+  p.fluxScale = chooseFluxScale(power, job.maxDepth);
+  p.lookupPhotons = static_cast<float>(kLookupPhotons);
+  p.quotaPhotons = static_cast<float>(kLookupPhotons / 4);
+  p.densityScale = 1;
+  p.importonFlux = 1;
+  p.causticMap = mapSettings(job, job.causticDensity, kRecordCaustic, longest);
+  p.globalMap = mapSettings(job, job.globalDensity, kRecordGlobal, longest);
+  return p;
+}
+
+}  // namespace importon

@@ -1,0 +1,28 @@
+/// The numbers of a render that the job leaves open, and those that follow from the scene.
+#pragma once
+#include "render/camera_setup.h"
+#include "render/feature_set.h"
+#include "render/workspace.h"
+
+namespace importon {
+
+struct PassPlan {
+  std::uint32_t photons = 0;    // emitted per pass; 0: no maps
+  std::uint32_t batch = 0;      // traced at once
+  std::uint32_t importons = 0;
+  uint nearestImportons = 50;   // M of the importance estimate
+  uint receivers = 1;           // M'
+  std::uint64_t tilePixels = 0;
+  std::uint64_t mapCapacity = 0;  // photons
+  int maxPasses = 64;
+  WorkspaceSize workspace;
+};
+
+/// Chooses counts for an image of `size` pixels on a device of `limits`.
+[[nodiscard]] PassPlan planPasses(const RenderJob& job, glm::ivec2 size, const gpu::Limits& limits);
+
+/// Parameters that hold for all passes: camera, scene, map settings.
+[[nodiscard]] Parameters makeParameters(const RenderJob& job, const Scene& scene, const PassPlan& plan,
+                                        glm::ivec2 size);
+
+}  // namespace importon

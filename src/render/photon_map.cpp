@@ -1,0 +1,131 @@
+#include "render/photon_map.h"
+
+#include <algorithm>
+
+#include "shared/bindings.h"
+#include "shared/push_data.h"
+
+namespace importon {
+
+using gpu::TexelFormat;
+
+PhotonMap::PhotonMap(gpu::Context& context, MapKind kind, std::uint64_t capacity, std::uint64_t batchHits)
+    : kind_(kind),
+      capacity_(capacity),
+      points_(context, "photon points", capacity * sizeof(MapPoint), TexelFormat::uint4),
+      flux_(context, "photon flux", capacity * 6 * sizeof(uint)),
+      mapFlux_(context, "map flux", capacity * sizeof(uvec2), TexelFormat::uint2),
+      totals_(context, "flux totals", 12 * sizeof(uint)),
+      stored_(context, "stored photons", capacity),
+      batch_(context, "batch", batchHits) {}
+
+uint PhotonMap::counter(uint which) const {
+  return kCounterMap + kCountersPerMap * static_cast<uint>(kind_) + which;
+}
+
+void PhotonMap::begin(const Stage& stage) {
+  for (const uint which : {kMapStored, kMapHits, kMapRedistributed}) setCounter(stage, counter(which), 0);
+  stage.recorder.fill(totals_, 0);
+  stage.recorder.fill(stored_.cells, 0);
+  hasStored_ = false;
+}
+
+void PhotonMap::store(const Stage& stage, gpu::BindingTable& table) {
+  compact(stage, kCounterSelected, kCounterAccepted, nullptr, stage.work.accepted);
+  table.set(kBindingNextQueue, stage.work.accepted);
+  overItems(stage, stage.kernels.photonStore, table, kCounterAccepted,
+            PhotonStorePush{static_cast<uint>(capacity_)});
+  setCounter(stage, kCounterStored, 0, kCounterStored, kCounterAccepted, static_cast<uint>(capacity_));
+}
+
+void PhotonMap::addBatch(const Stage& stage, const ImportanceMap& importance, DensityControl control,
+                         uint receivers) {
+  const bool isControlled = control == DensityControl::density;
+  const KernelSet& kernels = stage.kernels;
+  gpu::BindingTable table = stage.work.table;
+  importance.bind(table);
+  table.set(kBindingPhotonPoints, points_);
+  table.set(kBindingPhotonFlux, flux_);
+  table.set(kBindingTotals, totals_);
+  table.set(kBindingKeysOut, stage.work.keysA);
+  setCounter(stage, kCounterStored, 0, counter(kMapStored));
+  setCounter(stage, kCounterRedistributed, 0);
+
+  overItems(stage, kernels.recordSelect, table, kCounterRecords, RecordSelectPush{kCounterRecords, recordMask(kind_)});
+  compact(stage, kCounterRecords, kCounterSelected, nullptr, stage.work.selection);
+  overTiles(stage, kernels.fluxSum, table, kCounterSelected, FluxSumPush{0, kCounterSelected});
+  overItems(stage, kernels.hitKey, table, kCounterSelected,
+            HitKeyPush{kind_ == MapKind::global, batch_.slotMask, isControlled});
+  if (isControlled) {
+    buildGrid(stage, batch_, kCounterSelected, stage.work.selectedPoints);
+    table.set(kBindingValuesIn, batch_.order);
+    if (hasStored_) {
+      bindStored(table, stored_);
+      overItems(stage, kernels.photonQuota, table, kCounterSelected, PhotonQuotaPush{0, 0});
+    }
+    bindStored(table, batch_);
+    overItems(stage, kernels.photonQuota, table, kCounterSelected, PhotonQuotaPush{1, hasStored_});
+  }
+  store(stage, table);
+  if (isControlled) {
+    buildStoredGrid(stage, false);
+    bindStored(table, stored_);
+    overItems(stage, kernels.photonRedistribute, table, kCounterSelected, PhotonRedistributePush{receivers});
+    store(stage, table);  // those without a receiver
+  }
+  hasStored_ = isControlled;
+  setCounter(stage, counter(kMapStored), 0, kCounterStored);
+  setCounter(stage, counter(kMapHits), 0, counter(kMapHits), kCounterSelected);
+  setCounter(stage, counter(kMapRedistributed), 0, counter(kMapRedistributed), kCounterRedistributed);
+}
+
+void PhotonMap::buildStoredGrid(const Stage& stage, bool isFinished) {
+  gpu::BindingTable table = stage.work.table;
+  table.set(kBindingPhotonPoints, points_);
+  table.set(kBindingPhotonFlux, flux_);
+  table.set(kBindingKeysOut, stage.work.keysA);
+  overItems(stage, stage.kernels.photonKey, table, kCounterStored, PhotonKeyPush{isFinished, stored_.slotMask});
+  buildGrid(stage, stored_, kCounterStored, points_);
+}
+
+void PhotonMap::finish(const Stage& stage) {
+  setCounter(stage, kCounterStored, 0, counter(kMapStored));
+  buildStoredGrid(stage, true);
+  gpu::BindingTable table = stage.work.table;
+  table.set(kBindingPhotonPoints, points_);
+  table.set(kBindingPhotonFlux, flux_);
+  table.set(kBindingTotals, totals_);
+  table.set(kBindingValuesIn, stored_.order);
+  table.set(kBindingPointsOut, mapFlux_);
+  overTiles(stage, stage.kernels.fluxSum, table, kCounterStored, FluxSumPush{1, kCounterStored});
+  stage.recorder.dispatchIndirect(stage.kernels.photonResolve, table, stage.work.dispatches,
+                                  kCounterStored * sizeof(DispatchArguments));
+}
+
+void PhotonMap::bindFinished(gpu::BindingTable& table) const {
+  bindStored(table, stored_);
+  table.set(kBindingMapFlux, mapFlux_);
+}
+
+PhotonMapCounts PhotonMap::readCounts(const Stage& stage, float fluxScale) const {
+  const auto counters = stage.work.counters.download<uint>(kCounterCount);
+  const auto totals = totals_.download<std::uint64_t>(6);  // two words each, low word first
+  PhotonMapCounts counts;
+  counts.hits = counters[counter(kMapHits)];
+  counts.stored = counters[counter(kMapStored)];
+  counts.redistributed = counters[counter(kMapRedistributed)];
+  counts.overflow = counters[kCounterOverflow];
+  for (std::size_t c = 0; c < 3; ++c) {
+    counts.fluxHits[c] = static_cast<double>(totals[c]) / static_cast<double>(fluxScale);
+    counts.fluxMap[c] = static_cast<double>(totals[3 + c]) / static_cast<double>(fluxScale);
+    counts.isEnergyExact = counts.isEnergyExact && totals[c] == totals[3 + c];
+  }
+  return counts;
+}
+
+std::uint64_t PhotonMap::bytes() const {
+  return points_.bytes() + flux_.bytes() + mapFlux_.bytes() + stored_.cells.bytes() + stored_.points.bytes() +
+         stored_.order.bytes();
+}
+
+}  // namespace importon

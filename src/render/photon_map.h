@@ -1,0 +1,47 @@
+/// A density-controlled photon map: stores hits while the density is below the required one, else hands their
+/// power to photons that are there.
+#pragma once
+#include <array>
+
+#include "render/importance.h"
+#include "render/render_job.h"
+
+namespace importon {
+
+/// What became of the hits of a map in one pass.
+struct PhotonMapCounts {
+  std::uint64_t hits = 0, stored = 0, redistributed = 0, overflow = 0;
+  std::array<double, 3> fluxHits{}, fluxMap{};  // W
+  bool isEnergyExact = true;                    // the two are equal to the last bit of the fixed point
+};
+
+class PhotonMap {
+ public:
+  /// For up to `capacity` stored photons, from batches of up to `batchHits` hits.
+  PhotonMap(gpu::Context& context, MapKind kind, std::uint64_t capacity, std::uint64_t batchHits);
+
+  /// Empties the map for a new pass.
+  void begin(const Stage& stage);
+  /// Takes the batch of hits in the workspace's records.
+  void addBatch(const Stage& stage, const ImportanceMap& importance, DensityControl control, uint receivers);
+  /// Sorts the photons for lookups.
+  void finish(const Stage& stage);
+  /// Binds the finished map for map_lookup.
+  void bindFinished(gpu::BindingTable& table) const;
+  /// Reads what the pass counted, after the device is done with it.
+  [[nodiscard]] PhotonMapCounts readCounts(const Stage& stage, float fluxScale) const;
+  [[nodiscard]] std::uint64_t bytes() const;
+
+ private:
+  void store(const Stage& stage, gpu::BindingTable& table);
+  void buildStoredGrid(const Stage& stage, bool isFinished);
+  [[nodiscard]] uint counter(uint which) const;
+
+  MapKind kind_;
+  std::uint64_t capacity_;
+  bool hasStored_ = false;
+  gpu::Buffer points_, flux_, mapFlux_, totals_;
+  PointGrid stored_, batch_;
+};
+
+}  // namespace importon

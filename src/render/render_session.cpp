@@ -1,0 +1,186 @@
+#include "render/render_session.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <future>
+
+#include "accel/bvh.h"
+#include "fmt/format.h"
+#include "render/aov_image.h"
+#include "render/features.h"
+#include "render/photon_pass.h"
+#include "shared/bindings.h"
+
+namespace importon {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Builds the BVH; a progress line when it takes long.
+Bvh buildSceneBvh(const Scene& scene, const RenderJob& job, Log& log, double& seconds) {
+  const Clock::time_point start = Clock::now();
+  const auto progress = [&](double fraction) {
+    if (secondsSince(start) > 1) log.progress(fmt::format("building the BVH: {:.0f} %", 100 * fraction));
+  };
+  Bvh bvh = buildBvh(scene.positions, scene.triangles, {job.threads, progress});
+  log.endProgress();
+  seconds = secondsSince(start);
+  return bvh;
+}
+
+}  // namespace
+
+RenderSession::RenderSession(const RenderJob& job, const Scene& scene, Log& log)
+    : job_(job), scene_(scene), log_(log) {
+  size_ = chooseSize(chooseCamera(scene, job), job);
+  features_ = findFeatures(scene, job);
+  // The device and its kernels come up while the tree is built.
+  auto device = std::async(std::launch::async, [this] { loadDevice(); });
+  const Bvh bvh = buildSceneBvh(scene, job, log, stats_.seconds.bvh);
+  device.get();
+  const Clock::time_point start = Clock::now();
+  deviceScene_ = uploadScene(*context_, scene, bvh);
+  plan_ = planPasses(job, size_, context_->limits());
+  parameters_ = makeParameters(job, scene, plan_, size_);
+  work_.emplace(*context_, plan_.workspace);
+  deviceScene_.bind(work_->table);
+  recorder_.emplace(*context_);
+  stage_.emplace(Stage{*context_, *recorder_, kernels_, *work_});
+  film_.emplace(*context_, static_cast<std::uint64_t>(size_.x) * static_cast<std::uint64_t>(size_.y), plan_.tilePixels);
+  importance_ = makeImportanceMaps(*context_, plan_.importons * (std::uint64_t{parameters_.maxDepth} + 1));
+  if (hasMaps()) {
+    globalMap_.emplace(*context_, MapKind::global, plan_.mapCapacity, plan_.workspace.records);
+    if (features_.needsCausticMap)
+      causticMap_.emplace(*context_, MapKind::caustic, plan_.mapCapacity, plan_.workspace.records);
+  }
+  stats_.seconds.device += secondsSince(start);
+}
+
+void RenderSession::loadDevice() {
+  const Clock::time_point start = Clock::now();
+  context_ = std::make_unique<gpu::Context>(gpu::ContextOptions{job_.device, job_.validation});
+  kernels_ = makeKernels(*context_, features_, job_.integrator, job_.threads);
+  stats_.seconds.device = secondsSince(start);
+}
+
+void RenderSession::submit(double& seconds) {
+  const Clock::time_point start = Clock::now();
+  recorder_->submitAndWait();
+  seconds += secondsSince(start);
+}
+
+void RenderSession::findImportance() {
+  const Clock::time_point start = Clock::now();
+  buildImportance(*stage_, parameters_, importance_, plan_.importons, plan_.nearestImportons,
+                  causticMap_.has_value());
+  stats_.importonsEmitted = plan_.importons;
+  stats_.importonsCaustic = importance_.caustic.count;
+  stats_.importonsGlobal = importance_.global.count;
+  stats_.seconds.importance = secondsSince(start);
+}
+
+void RenderSession::startPass(int pass) {
+  parameters_.pass = static_cast<uint>(pass);
+  parameters_.densityScale = std::cbrt(static_cast<float>(pass + 1));  // r² shrinks as its inverse
+  work_->parameters.upload(std::span<const Parameters>(&parameters_, 1));
+  recorder_->fill(work_->counters, 0);
+}
+
+void RenderSession::shootPhotons(int pass) {
+  startPass(pass);
+  if (!hasMaps()) return;
+  globalMap_->begin(*stage_);
+  if (causticMap_) causticMap_->begin(*stage_);
+  for (std::uint32_t first = 0; first < plan_.photons; first += plan_.batch) {
+    tracePhotons(*stage_, first, std::min(plan_.batch, plan_.photons - first), parameters_.maxDepth);
+    globalMap_->addBatch(*stage_, importance_.global, job_.control, plan_.receivers);
+    if (causticMap_) causticMap_->addBatch(*stage_, importance_.caustic, job_.control, plan_.receivers);
+  }
+  globalMap_->finish(*stage_);
+  if (causticMap_) causticMap_->finish(*stage_);
+  submit(stats_.seconds.photons);
+}
+
+EyeMaps RenderSession::eyeMaps() const {
+  EyeMaps maps;
+  maps.importance = &importance_;  // bound also where nothing reads it
+  if (!hasMaps()) return maps;
+  maps.global = &*globalMap_;
+  maps.caustic = causticMap_ ? &*causticMap_ : nullptr;
+  return maps;
+}
+
+void RenderSession::gatherImage(int pass) {
+  for (const FilmTile& tile : film_->tiles()) {
+    const uint half = pass % 2 == 0 ? 0 : tile.count;
+    traceImage(*stage_, eyeMaps(), tile.first, tile.count, parameters_.maxDepth, tile.pixels, half);
+  }
+  submit(stats_.seconds.gather);
+}
+
+void RenderSession::addCounts(PhotonMapStats& stats, const PhotonMapCounts& counts, const char* map) {
+  stats.hits += counts.hits;
+  stats.stored += counts.stored;
+  stats.redistributed += counts.redistributed;
+  stats.fluxHits = counts.fluxHits;
+  stats.fluxMap = counts.fluxMap;
+  if (counts.overflow > 0)
+    log_.warn("photon map full", fmt::format("{} photons found no room in the {} map: raise --memory or lower "
+                                             "--photons", counts.overflow, map));
+  else if (!counts.isEnergyExact)
+    throw std::logic_error(fmt::format("the {} map does not hold the power of its hits", map));
+}
+
+void RenderSession::countPass(int) {
+  const auto counters = work_->counters.download<uint>(kCounterCount);
+  stats_.closestRays += counters[kCounterRaysClosest];
+  stats_.shadowRays += counters[kCounterRaysShadow];
+  if (!hasMaps()) return;
+  stats_.photonsEmitted += plan_.photons;
+  addCounts(stats_.global, globalMap_->readCounts(*stage_, parameters_.fluxScale), "global");
+  if (causticMap_) addCounts(stats_.caustic, causticMap_->readCounts(*stage_, parameters_.fluxScale), "caustic");
+}
+
+Image RenderSession::resolve(int passes) {
+  const FilmLayers layers = resolveFilm(film_->download(), passes);
+  Image image;
+  image.width = size_.x;
+  image.height = size_.y;
+  addColor(image, "", layers.total);
+  addAovs(image, layers);
+  return image;
+}
+
+void RenderSession::addAovs(Image& image, const FilmLayers& layers) {
+  if (job_.aovs.empty()) return;
+  std::vector<float> values(layers.total.size() * kAovFloats);
+  for (const FilmTile& tile : film_->tiles()) {
+    const gpu::Buffer buffer(*context_, "AOVs", std::uint64_t{tile.count} * kAovFloats * sizeof(float));
+    traceAovs(*stage_, eyeMaps(), tile.first, tile.count, buffer);
+    recorder_->submitAndWait();
+    buffer.downloadBytes(std::as_writable_bytes(
+        std::span(values).subspan(std::size_t{tile.first} * kAovFloats, std::size_t{tile.count} * kAovFloats)));
+  }
+  addAovLayers(image, job_.aovs, layers, values, scene_.worldFromRender);
+}
+
+void RenderSession::finishStats(int passes) {
+  stats_.deviceName = context_->info().name;
+  stats_.deviceDriver = context_->info().driver;
+  stats_.deviceType = context_->info().type;
+  stats_.triangles = scene_.triangles.size();
+  stats_.lights = scene_.lights.size();
+  for (const FeatureRow& row : describeFeatures(scene_, job_))
+    if (row.isModelled) stats_.features.push_back(row.name);
+  stats_.width = size_.x;
+  stats_.height = size_.y;
+  stats_.passes = passes;
+  stats_.devicePeakBytes = context_->peakBytes();
+  if (globalMap_) stats_.photonMapBytes = globalMap_->bytes() + (causticMap_ ? causticMap_->bytes() : 0);
+  for (const gpu::KernelTime& t : recorder_->times())
+    stats_.kernels.push_back({t.label, t.launches, t.milliseconds});
+}
+
+}  // namespace importon

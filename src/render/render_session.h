@@ -1,0 +1,64 @@
+/// A render in progress: device, scene, maps and film, with the named phases that renderer.cpp runs.
+#pragma once
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "base/log.h"
+#include "render/device_scene.h"
+#include "render/eye_pass.h"
+#include "render/film.h"
+#include "render/pass_plan.h"
+#include "render/renderer.h"
+
+namespace importon {
+
+class RenderSession {
+ public:
+  RenderSession(const RenderJob& job, const Scene& scene, Log& log);
+
+  /// Importons, importance maps, required density.
+  void findImportance();
+  /// Photons of pass `pass` into density-controlled maps.
+  void shootPhotons(int pass);
+  /// Camera paths of pass `pass`, reading the maps, into the film.
+  void gatherImage(int pass);
+  /// Reads what the pass counted.
+  void countPass(int pass);
+
+  [[nodiscard]] int maxPasses() const { return plan_.maxPasses; }
+  [[nodiscard]] bool hasMaps() const { return job_.integrator == Integrator::photon; }
+  [[nodiscard]] double estimatedError(int passes) const { return estimateError(film_->download(), passes); }
+  /// The image so far with the layers that the job asks for.
+  [[nodiscard]] Image resolve(int passes);
+  [[nodiscard]] RenderStats& stats() { return stats_; }
+  void finishStats(int passes);
+
+ private:
+  void loadDevice();
+  void startPass(int pass);
+  void submit(double& seconds);
+  void addCounts(PhotonMapStats& stats, const PhotonMapCounts& counts, const char* map);
+  [[nodiscard]] EyeMaps eyeMaps() const;
+  void addAovs(Image& image, const FilmLayers& layers);
+
+  const RenderJob& job_;
+  const Scene& scene_;
+  Log& log_;
+  RenderStats stats_;
+  glm::ivec2 size_;
+  FeatureSet features_;
+  std::unique_ptr<gpu::Context> context_;
+  KernelSet kernels_;
+  DeviceScene deviceScene_;
+  PassPlan plan_;
+  Parameters parameters_{};
+  std::optional<Workspace> work_;
+  std::optional<gpu::Recorder> recorder_;
+  std::optional<Stage> stage_;
+  std::optional<Film> film_;
+  ImportanceMaps importance_;
+  std::optional<PhotonMap> causticMap_, globalMap_;
+};
+
+}  // namespace importon

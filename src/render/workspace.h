@@ -1,0 +1,62 @@
+/// Transient device buffers of a pass, and the kernels that work on them.
+#pragma once
+#include "gpu/buffer.h"
+#include "gpu/recorder.h"
+#include "render/kernel_set.h"
+#include "shared/render_data.h"
+
+namespace importon {
+
+/// How much a pass must hold at once.
+struct WorkspaceSize {
+  std::uint64_t slots = 0;    // paths in flight
+  std::uint64_t records = 0;  // hits of a photon batch, or importons
+  std::uint64_t entries = 0;  // the longest list that is sorted or compacted
+};
+
+/// Buffers that all phases share. `table` has them under their binding numbers.
+struct Workspace {
+  Workspace(gpu::Context& context, const WorkspaceSize& size);
+
+  gpu::Buffer parameters, counters, dispatches;
+  gpu::Buffer rays, hits, shadowRays, shadowHits, shadowLight, paths, eyeVertices, pathLight, queueA, queueB;
+  gpu::Buffer keep, blockSums, keysA, keysB, valuesA, valuesB;
+  gpu::Buffer recordPoints, records, required, selection, selectedPoints, neighbours, accepted;
+  gpu::BindingTable table;
+  WorkspaceSize size;
+};
+
+/// What every phase needs.
+struct Stage {
+  gpu::Context& gpu;
+  gpu::Recorder& recorder;
+  const KernelSet& kernels;
+  Workspace& work;
+};
+
+/// Dispatches over what `counter` counts: one invocation per item, or per tile of kTileSize items.
+template <class Push>
+void overItems(const Stage& stage, const gpu::Kernel& kernel, const gpu::BindingTable& table, uint counter,
+               const Push& push) {
+  stage.recorder.dispatchIndirect(kernel, table, stage.work.dispatches, counter * sizeof(DispatchArguments), push);
+}
+template <class Push>
+void overTiles(const Stage& stage, const gpu::Kernel& kernel, const gpu::BindingTable& table, uint counter,
+               const Push& push) {
+  stage.recorder.dispatchIndirect(kernel, table, stage.work.dispatches,
+                                  counter * sizeof(DispatchArguments) + sizeof(uvec3), push);
+}
+
+/// counters[counter] = min(value + counters[a] + counters[b], limit)
+void setCounter(const Stage& stage, uint counter, uint value, uint a = kNone, uint b = kNone, uint limit = kNone);
+
+/// Stable compaction of the `source` entries whose `keep` is 1: `out` receives their indices (takesIndex) or
+/// the values of `in` there; `target` their number. `accumulate`, if any, grows by `source`.
+void compact(const Stage& stage, uint source, uint target, const gpu::Buffer* in, const gpu::Buffer& out,
+             uint accumulate = kNone);
+
+/// Stable sort of the `source` entries by the `bits` low bits of work.keysA. `order` receives their indices;
+/// the sorted keys are in the returned buffer.
+const gpu::Buffer& sortByKey(const Stage& stage, uint source, uint bits, const gpu::Buffer& order);
+
+}  // namespace importon
