@@ -50,7 +50,8 @@ isBuilt() {
 build() {
   local preset=$1 folder="$root/build/$1" started fresh=()
   shift
-  mkdir -p "$folder"
+  { mkdir -p "$folder" 2> /dev/null && [[ -w $folder ]]; } ||
+    fail "cannot write ($folder): make it yours, or remove it"
   exec 9> "$folder/.lock"
   flock 9  # one build at a time in this folder
   rm -f "$folder"/.started.*
@@ -60,7 +61,7 @@ build() {
   fi
   if ((${#fresh[@]} > 0)) || [[ ! -e $folder/build.ninja ]]; then
     say "configuring build/$preset"
-    (cd "$root" && cmake "${fresh[@]}" --preset "$preset") >&2 ||
+    (cd "$root" && cmake --log-level=WARNING "${fresh[@]}" --preset "$preset") >&2 ||
       fail "cannot configure (build/$preset): see the messages above"
   fi
   say "building build/$preset"
