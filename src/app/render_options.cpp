@@ -87,14 +87,19 @@ void addImageOptions(CLI::App& app, RenderJob& job) {
 }
 
 void addStoppingOptions(CLI::App& app, RenderJob& job) {
-  const std::string group = "When to stop (whichever comes first)";
-  app.add_option("--passes", job.passes, "after so many passes (default: 64, without limit if --time is given)")
+  const std::string group =
+      "When to stop, whichever comes first (default: --error 0.05, and 64 passes at most)";
+  app.add_option("--passes", job.passes, "after so many passes")
       ->check(wholeNumber(1, kMostPasses, "passes"))
       ->type_name("N")
       ->group(group);
-  app.add_option("--time", job.seconds, "after so long, start-up counted (default: no limit)")
+  app.add_option("--time", job.seconds, "after so long, start-up counted")
       ->check(positive("seconds"))
       ->type_name("SECONDS")
+      ->group(group);
+  app.add_option("--error", job.error, "when the estimated relative error of the image is at most E")
+      ->check(positive(""))
+      ->type_name("E")
       ->group(group);
 }
 
@@ -109,7 +114,11 @@ void addMethodOptions(CLI::App& app, RenderJob& job) {
       ->check(wholeNumber(1, kMostPaths, "photons"))
       ->type_name("N")
       ->group(group);
-  app.add_option("--importons", job.importons, "importons traced per pass (default: automatic)")
+  app.add_option("--photon-batch", job.photonBatch, "photons traced at once (default: automatic)")
+      ->check(wholeNumber(1, kMostPaths, "photons"))
+      ->type_name("N")
+      ->group(group);
+  app.add_option("--importons", job.importons, "importons per importance map (default: automatic)")
       ->check(wholeNumber(1, kMostPaths, "importons"))
       ->type_name("N")
       ->group(group);

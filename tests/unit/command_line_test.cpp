@@ -57,7 +57,8 @@ TEST(CommandLine, RendersWithoutTheWord) {
 TEST(CommandLine, TakesEveryOptionOfRender) {
   const RenderCommand command = parseRender(
       "render s.glb -o o.exr --png o.png --width 320 --height 200 --camera top --integrator path --passes 7 "
-      "--time 2.5 --photons 1000 --importons 2000 --control off --caustic-density 30 --global-density 2 "
+      "--time 2.5 --error 0.01 --photon-batch 512 --photons 1000 --importons 2000 --control off "
+      "--caustic-density 30 --global-density 2 "
       "--redistribute 4 --gather 3 --indirect-filter off --max-depth 5 --aov albedo,N,importance.caustic "
       "--seed 42 "
       "--device llvm --threads 2 --memory 512 --stats s.json --validation --all-features -v");
@@ -69,6 +70,8 @@ TEST(CommandLine, TakesEveryOptionOfRender) {
   EXPECT_EQ(job.integrator, Integrator::path);
   EXPECT_EQ(job.passes, 7);
   EXPECT_EQ(job.seconds, 2.5);
+  EXPECT_EQ(job.error, 0.01);
+  EXPECT_EQ(job.photonBatch, 512u);
   EXPECT_EQ(job.photons, 1000u);
   EXPECT_EQ(job.importons, 2000u);
   EXPECT_EQ(job.control, DensityControl::off);
@@ -142,6 +145,8 @@ TEST(CommandLine, RefusesNumbersOutOfRange) {
                           "--time inf",
                           "--time 3s",
                           "--photons 0",
+                          "--photon-batch 0",
+                          "--error 0",
                           "--importons 0",
                           "--caustic-density 0",
                           "--global-density -2",
