@@ -12,7 +12,6 @@
 namespace importon {
 namespace {
 
-constexpr std::size_t kMostElements = std::size_t{1} << 26;  // vertices, and triangles
 constexpr double kLargestCoordinate = 1e15;
 constexpr std::size_t kGrain = 16384;
 
@@ -22,19 +21,6 @@ bool isFinite(const vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); 
 bool isUsable(const glm::dvec3& p) {
   return std::abs(p.x) <= kLargestCoordinate && std::abs(p.y) <= kLargestCoordinate &&
          std::abs(p.z) <= kLargestCoordinate;
-}
-
-void checkSize(std::span<const MeshInstance> instances, const std::string& name) {
-  std::size_t vertices = 0;
-  std::size_t triangles = 0;
-  for (const MeshInstance& instance : instances) {
-    vertices += instance.part->positions.size();
-    triangles += instance.part->triangles.size();
-    if (vertices <= kMostElements && triangles <= kMostElements) continue;
-    throw SceneError(
-        fmt::format("the scene has more than {} triangles or vertices, instances included", kMostElements),
-        name, "reduce the scene");
-  }
 }
 
 /// Transforms of one instance.
@@ -209,7 +195,6 @@ glm::dvec3 chooseOrigin(const glm::dvec3& low, const glm::dvec3& high) {
 
 void assembleGeometry(std::span<const MeshInstance> instances, Scene& scene, const std::string& name,
                       Log& log) {
-  checkSize(instances, name);
   glm::dvec3 low(kLargestCoordinate);
   glm::dvec3 high(-kLargestCoordinate);
   worldBounds(instances, low, high);

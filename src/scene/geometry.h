@@ -23,7 +23,7 @@ struct MeshInstance {
 /// Fills positions, vertices, triangles, worldFromRender and bounds. A mirroring transform swaps two corners so
 /// that counter-clockwise stays the front. Triangles without area or with a corner that isn't finite (or lies
 /// beyond 1e15) are dropped with counted warnings. `name` is the file's, for messages. Throws SceneError if
-/// nothing is left or there is too much.
+/// nothing is left.
 void assembleGeometry(std::span<const MeshInstance> instances, Scene& scene, const std::string& name, Log& log);
 
 }  // namespace importon

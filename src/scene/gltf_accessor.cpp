@@ -235,4 +235,20 @@ std::vector<std::uint32_t> readIndices(const GltfDocument& document, int accesso
   return values;
 }
 
+std::vector<glm::mat4> readMatrices(const GltfDocument& document, int accessorIndex,
+                                    const std::string& pointer) {
+  const Context context{document, pointer};
+  const tinygltf::Accessor& accessor = document.model.accessors[static_cast<std::size_t>(accessorIndex)];
+  const bool isPlain = accessor.type == TINYGLTF_TYPE_MAT4 && accessor.bufferView >= 0 &&
+                       accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT && !accessor.sparse.isSparse;
+  if (!isPlain) context.fail(fmt::format("accessor {} does not hold matrices of floats", accessorIndex));
+  const Elements elements =
+      locate(context, accessor.bufferView, accessor.byteOffset, accessor.count, sizeof(glm::mat4));
+  std::vector<glm::mat4> matrices(elements.count);
+  for (std::size_t i = 0; i < matrices.size(); ++i) {
+    matrices[i] = load<glm::mat4>(elements.data.data() + i * elements.stride);
+  }
+  return matrices;
+}
+
 }  // namespace importon

@@ -21,4 +21,8 @@ template <int N>
 [[nodiscard]] std::vector<std::uint32_t> readIndices(const GltfDocument& document, int accessor,
                                                      const std::string& pointer);
 
+/// The elements of a MAT4 accessor of floats. Throws SceneError at `pointer`.
+[[nodiscard]] std::vector<glm::mat4> readMatrices(const GltfDocument& document, int accessor,
+                                                  const std::string& pointer);
+
 }  // namespace importon

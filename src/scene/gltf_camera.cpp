@@ -40,10 +40,6 @@ void setLens(const tinygltf::Camera& source, const std::string& where, Camera& c
     if (camera.yfov > 0 && camera.yfov < glm::pi<double>()) return;
     throw SceneError(fmt::format("yfov {} is not between 0 and pi", camera.yfov), where, kExportAgain);
   }
-  if (source.type != "orthographic") {
-    throw SceneError(fmt::format("the camera type '{}' is unknown", printable(source.type)), where,
-                     "use perspective or orthographic");
-  }
   camera.isOrthographic = true;
   camera.xmag = std::abs(source.orthographic.xmag);
   camera.ymag = std::abs(source.orthographic.ymag);

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <exception>
-#include <map>
+#include <iterator>
+#include <set>
 #include <span>
 
 #include "base/error.h"
@@ -47,34 +48,39 @@ void decodeAll(const std::vector<ImageUse>& images, std::vector<uint>& texels) {
   }
 }
 
+/// The images that textures use, in the order of the file, one after another among the texels.
+std::vector<ImageUse> placeImages(const GltfDocument& document, const std::set<std::size_t>& indices) {
+  constexpr std::size_t kMostTexels = std::size_t{1} << 28;
+  std::vector<ImageUse> images;
+  std::size_t texelCount = 0;
+  for (const std::size_t index : indices) {
+    ImageUse image{
+        encodedBytes(document.model, index), document.source.at(fmt::format("/images/{}", index)), {}, 0};
+    image.size = readImageSize(image.bytes, image.where);
+    image.firstTexel = texelCount;
+    texelCount += image.size.texels();
+    if (texelCount > kMostTexels) {
+      throw SceneError(fmt::format("the images have more than {} texels in all", kMostTexels), image.where,
+                       "reduce the images");
+    }
+    images.push_back(std::move(image));
+  }
+  return images;
+}
+
 }  // namespace
 
 std::vector<uint> loadTexels(const GltfDocument& document, MaterialSet& set) {
-  constexpr std::size_t kMostTexels = std::size_t{1} << 28;
-  std::map<std::size_t, std::size_t> useOfImage;
-  std::vector<ImageUse> images;
-  std::size_t texelCount = 0;
-  for (std::size_t t = 0; t < set.textures.size(); ++t) {
-    const std::size_t image = set.imageOfTexture[t];
-    if (!useOfImage.emplace(image, images.size()).second) continue;
-    ImageUse use{
-        encodedBytes(document.model, image), document.source.at(fmt::format("/images/{}", image)), {}, 0};
-    use.size = readImageSize(use.bytes, use.where);
-    use.firstTexel = texelCount;
-    texelCount += use.size.texels();
-    if (texelCount > kMostTexels) {
-      throw SceneError(fmt::format("the images have more than {} texels in all", kMostTexels), use.where,
-                       "reduce the images");
-    }
-    images.push_back(std::move(use));
-  }
-  std::vector<uint> texels(texelCount);
+  const std::set<std::size_t> indices(set.imageOfTexture.begin(), set.imageOfTexture.end());
+  const std::vector<ImageUse> images = placeImages(document, indices);
+  std::vector<uint> texels(images.empty() ? 0 : images.back().firstTexel + images.back().size.texels());
   decodeAll(images, texels);
   for (std::size_t t = 0; t < set.textures.size(); ++t) {
-    const ImageUse& use = images[useOfImage.at(set.imageOfTexture[t])];
-    set.textures[t].firstTexel = static_cast<uint>(use.firstTexel);
-    set.textures[t].width = static_cast<uint>(use.size.width);
-    set.textures[t].height = static_cast<uint>(use.size.height);
+    const auto place = std::distance(indices.begin(), indices.find(set.imageOfTexture[t]));
+    const ImageUse& image = images[static_cast<std::size_t>(place)];
+    set.textures[t].firstTexel = static_cast<uint>(image.firstTexel);
+    set.textures[t].width = static_cast<uint>(image.size.width);
+    set.textures[t].height = static_cast<uint>(image.size.height);
   }
   return texels;
 }

@@ -42,12 +42,9 @@ Light readLight(const tinygltf::Light& source, const std::string& where, float s
     light.kind = kLightSpot;
     setCone(source, where, light);
     light.power = spotPower(light.emission, light.cosInner, light.cosOuter);
-  } else if (source.type == "directional") {
+  } else {
     light.kind = kLightDirectional;
     light.power = directionalPower(light.emission, sceneRadius);
-  } else {
-    throw SceneError(fmt::format("the light type '{}' is unknown", printable(source.type)), where,
-                     "use point, spot or directional");
   }
   return light;
 }

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <deque>
-#include <map>
-
 #include "base/error.h"
 #include "scene/geometry.h"
 #include "scene/gltf_camera.h"
@@ -12,54 +9,14 @@
 #include "scene/gltf_image.h"
 #include "scene/gltf_light.h"
 #include "scene/gltf_material.h"
-#include "scene/gltf_mesh.h"
 #include "scene/gltf_nodes.h"
 #include "scene/gltf_resources.h"
 #include "scene/lights.h"
+#include "scene/mesh_library.h"
 #include "scene/tangents.h"
 
 namespace importon {
 namespace {
-
-/// Mesh parts, read once for all nodes that show a mesh with the same morph weights.
-class MeshLibrary {
- public:
-  MeshLibrary(const GltfDocument& document, Log& log) : document_(document), log_(log) {}
-
-  std::vector<MeshPart>& partsOf(std::size_t nodeIndex) {
-    const tinygltf::Node& node = document_.model.nodes[nodeIndex];
-    const auto mesh = static_cast<std::size_t>(node.mesh);
-    const std::vector<double>& weights =
-        node.weights.empty() ? document_.model.meshes[mesh].weights : node.weights;
-    const auto [entry, isNew] = parts_.try_emplace({mesh, weights});
-    if (isNew) entry->second = readMesh(document_, mesh, weights, log_);
-    return entry->second;
-  }
-
-  auto begin() { return parts_.begin(); }
-  auto end() { return parts_.end(); }
-
- private:
-  const GltfDocument& document_;
-  Log& log_;
-  std::map<std::pair<std::size_t, std::vector<double>>, std::vector<MeshPart>> parts_;
-};
-
-std::vector<MeshInstance> readInstances(const GltfDocument& document, std::span<const PlacedNode> nodes,
-                                        MeshLibrary& library, Log& log) {
-  std::vector<MeshInstance> instances;
-  for (const PlacedNode& placed : nodes) {
-    const tinygltf::Node& node = document.model.nodes[placed.node];
-    if (node.mesh < 0) continue;
-    if (node.skin >= 0) {
-      log.warn("skinned mesh", fmt::format("{}: skins are passed over, the mesh keeps its rest pose",
-                                           document.source.at(fmt::format("/nodes/{}", placed.node))));
-    }
-    for (const MeshPart& part : library.partsOf(placed.node))
-      instances.push_back({&part, placed.worldFromObject, 0});
-  }
-  return instances;
-}
 
 MaterialSet readUsedMaterials(const GltfDocument& document, std::span<const MeshInstance> instances, Log& log) {
   std::vector<bool> isUsed(document.model.materials.size(), false);
@@ -84,13 +41,18 @@ uint sceneMaterial(const MaterialSet& set, const MeshPart& part) {
   return set.materialOfFile[static_cast<std::size_t>(part.material)];
 }
 
-/// Normal maps need tangents; computes those that the file lacks.
-void completeTangents(MeshLibrary& library, const MaterialSet& set) {
-  for (auto& [key, parts] : library) {
-    for (MeshPart& part : parts) {
-      const uint normalTexture = set.materials[sceneMaterial(set, part)].normalTexture;
-      if (part.tangents.empty() && normalTexture != kNone) computeTangents(part, set.textures[normalTexture]);
+/// Normal maps need tangents; computes those that the file lacks. Warns of textures without coordinates.
+void completeAttributes(MeshLibrary& library, const MaterialSet& set, const std::string& name, Log& log) {
+  for (MeshPart& part : library.parts()) {
+    const Material& material = set.materials[sceneMaterial(set, part)];
+    const unsigned missing = (part.uv0.empty() ? 1u : 0u) | (part.uv1.empty() ? 2u : 0u);
+    if ((uvSetsOf(material, set.textures) & missing) != 0) {
+      log.warn("texture without coordinates",
+               fmt::format("{}: a mesh lacks the texture coordinates that its material reads; (0, 0) stands in",
+                           name));
     }
+    const uint normalTexture = material.normalTexture;
+    if (part.tangents.empty() && normalTexture != kNone) computeTangents(part, set.textures[normalTexture]);
   }
 }
 
@@ -137,10 +99,10 @@ Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem
   const GltfDocument document = readDocument(bytes, name, baseFolder, log);
   const std::vector<PlacedNode> nodes = placeNodes(document);
   MeshLibrary library(document, log);
-  std::vector<MeshInstance> instances = readInstances(document, nodes, library, log);
+  std::vector<MeshInstance> instances = library.instances(nodes);
   MaterialSet set = readUsedMaterials(document, instances, log);
   for (MeshInstance& instance : instances) instance.material = sceneMaterial(set, *instance.part);
-  completeTangents(library, set);
+  completeAttributes(library, set, document.source.name(), log);
 
   Scene scene;
   scene.file = name;

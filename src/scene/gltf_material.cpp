@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/error.h"
 #include "scene/gltf_json.h"
 #include "scene/gltf_texture.h"
@@ -22,9 +25,9 @@ class MaterialReader {
     readBase();
     readSurface();
     readEmission();
-    readTransmission();
+    readTransmission(source);
     readLayers();
-    readAlpha(source);
+    readAlpha();
     if (booleanOr(json_, "doubleSided", false)) material_.flags |= kMaterialDoubleSided;
     if (extension("KHR_materials_unlit").is_object()) material_.flags |= kMaterialUnlit;
     return material_;
@@ -67,17 +70,27 @@ class MaterialReader {
     material_.flags |= kMaterialEmissive;
   }
 
-  void readTransmission() {
+  void readTransmission(const GltfSource& source) {
     const Json& transmission = extension("KHR_materials_transmission");
     const std::string place = "/extensions/KHR_materials_transmission";
     material_.transmission = floatOr(transmission, "transmissionFactor", 0.0f);
     material_.transmissionTexture = texture(transmission, place, "transmissionTexture", ColorMeaning::linear);
-    material_.ior = floatOr(extension("KHR_materials_ior"), "ior", material_.ior);
+    material_.ior = ior(source);
     const Json& volume = extension("KHR_materials_volume");
     if (numberOr(volume, "thicknessFactor", 0.0) <= 0.0) return;
     material_.flags |= kMaterialSolid;
     material_.absorption = absorption(vectorOr<3>(volume, "attenuationColor", vec3(1.0f)),
                                       numberOr(volume, "attenuationDistance", 0.0));
+  }
+
+  /// KHR_materials_ior: at least 1, or 0 for a surface that reflects all light, here a very dense one.
+  float ior(const GltfSource& source) const {
+    constexpr float kReflectsAll = 1e4f;
+    const float value = floatOr(extension("KHR_materials_ior"), "ior", 1.5f);
+    if (value == 0.0f) return kReflectsAll;
+    if (value >= 1.0f) return std::min(value, kReflectsAll);
+    throw SceneError(fmt::format("ior {} is less than 1", value),
+                     source.at(pointer_ + "/extensions/KHR_materials_ior/ior"), "use 1 or more");
   }
 
   /// -ln(attenuationColor) / attenuationDistance per m; no distance: infinite. A black channel gets the
@@ -103,17 +116,11 @@ class MaterialReader {
         texture(clearcoat, place, "clearcoatRoughnessTexture", ColorMeaning::linear);
   }
 
-  void readAlpha(const GltfSource& source) {
+  void readAlpha() {
     const std::string mode = stringOr(json_, "alphaMode", "OPAQUE");
     material_.alphaCutoff = floatOr(json_, "alphaCutoff", 0.5f);
-    if (mode == "MASK") {
-      material_.flags |= kMaterialAlphaMask;
-    } else if (mode == "BLEND") {
-      material_.flags |= kMaterialAlphaBlend;
-    } else if (mode != "OPAQUE") {
-      throw SceneError(fmt::format("alphaMode '{}' is unknown", printable(mode)),
-                       source.at(pointer_ + "/alphaMode"), "use OPAQUE, MASK or BLEND");
-    }
+    if (mode == "MASK") material_.flags |= kMaterialAlphaMask;
+    if (mode == "BLEND") material_.flags |= kMaterialAlphaBlend;
   }
 
   const Json& json_;
@@ -141,6 +148,17 @@ Material defaultMaterial() {
     *texture = kNone;
   }
   return material;
+}
+
+unsigned uvSetsOf(const Material& material, const std::vector<Texture>& textures) {
+  unsigned sets = 0;
+  for (const uint texture :
+       {material.baseColorTexture, material.metallicRoughnessTexture, material.normalTexture,
+        material.emissiveTexture, material.transmissionTexture, material.specularTexture,
+        material.specularColorTexture, material.clearcoatTexture, material.clearcoatRoughnessTexture}) {
+    if (texture != kNone) sets |= 1u << textures[texture].uvSet;
+  }
+  return sets;
 }
 
 MaterialSet readMaterials(const GltfDocument& document, const std::vector<bool>& isUsed, Log& log) {

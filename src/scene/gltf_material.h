@@ -21,6 +21,9 @@ struct MaterialSet {
 /// The material of a primitive that has none (glTF 2.0, section 3.9.7): white, metallic 1, roughness 1.
 [[nodiscard]] Material defaultMaterial();
 
+/// Which UV sets the textures of a material read: bit n for set n.
+[[nodiscard]] unsigned uvSetsOf(const Material& material, const std::vector<Texture>& textures);
+
 /// Reads the materials with isUsed[i]. Throws SceneError.
 [[nodiscard]] MaterialSet readMaterials(const GltfDocument& document, const std::vector<bool>& isUsed,
                                         Log& log);

@@ -17,8 +17,8 @@ constexpr const char* kExportAgain = "correct the file or export it again";
 /// Reads the attributes of one primitive.
 class PartReader {
  public:
-  PartReader(const GltfDocument& document, const tinygltf::Primitive& primitive, std::string pointer)
-      : document_(document), primitive_(primitive), pointer_(std::move(pointer)) {}
+  PartReader(const GltfDocument& document, const tinygltf::Primitive& primitive, std::string pointer, Log& log)
+      : document_(document), primitive_(primitive), pointer_(std::move(pointer)), log_(log) {}
 
   MeshPart read(const std::vector<double>& weights) {
     const auto position = primitive_.attributes.find("POSITION");
@@ -32,6 +32,8 @@ class PartReader {
     part.uv0 = attribute<2>("TEXCOORD_0");
     part.uv1 = attribute<2>("TEXCOORD_1");
     part.colors = attribute<4>("COLOR_0");
+    part.joints = attribute<4>("JOINTS_0");
+    part.jointWeights = attribute<4>("WEIGHTS_0");
     morph(part, weights);
     part.triangles = readTriangles();
     return part;
@@ -86,19 +88,31 @@ class PartReader {
 
   std::vector<uvec3> readTriangles() const {
     const auto mode = static_cast<TriangleMode>(primitive_.mode);
-    if (primitive_.indices < 0) return triangulate(mode, vertexCount_);
+    if (primitive_.indices < 0) {
+      warnOfRest(mode, vertexCount_);
+      return triangulate(mode, vertexCount_);
+    }
     const std::string place = pointer_ + "/indices";
     const std::vector<uint> indices = readIndices(document_, primitive_.indices, place);
     const uint largest = *std::max_element(indices.begin(), indices.end());
     if (largest >= vertexCount_) {
       fail(fmt::format("index {} is not among the {} vertices", largest, vertexCount_), "/indices");
     }
+    warnOfRest(mode, indices.size());
     return triangulate(mode, indices);
+  }
+
+  void warnOfRest(TriangleMode mode, std::size_t corners) const {
+    if (corners >= 3 && (mode != TriangleMode::triangles || corners % 3 == 0)) return;
+    log_.warn("incomplete triangle",
+              fmt::format("{}: {} corners do not make whole triangles; the rest is passed over",
+                          document_.source.at(pointer_), corners));
   }
 
   const GltfDocument& document_;
   const tinygltf::Primitive& primitive_;
   std::string pointer_;
+  Log& log_;
   std::size_t vertexCount_ = 0;
 };
 
@@ -115,7 +129,7 @@ std::vector<MeshPart> readMesh(const GltfDocument& document, std::size_t mesh,
                fmt::format("{}: points and lines are passed over", document.source.at(pointer)));
       continue;
     }
-    parts.push_back(PartReader(document, primitives[i], pointer).read(weights));
+    parts.push_back(PartReader(document, primitives[i], pointer, log).read(weights));
   }
   return parts;
 }

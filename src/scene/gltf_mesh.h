@@ -16,9 +16,11 @@ struct MeshPart {
   std::vector<vec4> tangents;  // w: sign of the bitangent
   std::vector<vec2> uv0;
   std::vector<vec2> uv1;
-  std::vector<vec4> colors;      // linear
-  std::vector<uvec3> triangles;  // indices into the above, counter-clockwise front
-  int material = -1;             // in the file; -1: the default material
+  std::vector<vec4> colors;        // linear
+  std::vector<vec4> joints;        // JOINTS_0: indices into the joints of a skin
+  std::vector<vec4> jointWeights;  // WEIGHTS_0
+  std::vector<uvec3> triangles;    // indices into the above, counter-clockwise front
+  int material = -1;               // in the file; -1: the default material
 };
 
 /// Reads the primitives of a mesh with its morph targets applied at `weights`. Points and lines are passed over

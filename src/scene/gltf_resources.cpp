@@ -34,6 +34,9 @@ class Reader {
     const std::string where = source_.at(fmt::format("/buffers/{}", index));
     const auto byteLength = buffer["byteLength"].get<std::size_t>();
     if (!buffer.contains("uri")) {
+      if (binaryChunkBytes_ == 0) {
+        throw SceneError("the buffer has neither 'uri' nor a BIN chunk", where, kExportAgain);
+      }
       checkHolds(binaryChunkBytes_, byteLength, "the BIN chunk of the .glb", where);
       return;
     }

@@ -1,7 +1,9 @@
 #include "scene/gltf_schema.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -66,7 +68,7 @@ class Walk {
       case SchemaKind::objects:
         return checkArray(value, place, &Json::is_object, "an array of objects");
       case SchemaKind::string:
-        return expect(value.is_string(), "a string", place);
+        return checkString(value, place);
       case SchemaKind::strings:
         return checkArray(value, place, &Json::is_string, "an array of strings");
       case SchemaKind::boolean:
@@ -96,6 +98,14 @@ class Walk {
     for (std::size_t i = 0; i < value.size(); ++i) {
       expect((value[i].*isKind)(), what, place.at(i));
     }
+  }
+
+  void checkString(const Json& value, const Place& place) const {
+    expect(value.is_string(), "a string", place);
+    const auto& text = value.get_ref<const std::string&>();
+    const std::vector<std::string>& choices = rule_.choices;
+    if (choices.empty() || std::find(choices.begin(), choices.end(), text) != choices.end()) return;
+    fail(fmt::format("'{}' is none of {}", printable(text), fmt::join(choices, ", ")), place);
   }
 
   void checkInteger(const Json& value, const Place& place) const {
@@ -149,6 +159,21 @@ class Walk {
   const SchemaRule& rule_;
 };
 
+/// Elements whose "type" is one of `types` hold an object of that name.
+void checkVariants(const Json& document, const std::string& array, const std::vector<std::string>& types,
+                   const GltfSource& source) {
+  const Json::json_pointer place(array);
+  if (!document.contains(place)) return;
+  const Json& elements = document[place];
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const auto& type = elements[i]["type"].get_ref<const std::string&>();
+    const bool needsObject = std::find(types.begin(), types.end(), type) != types.end();
+    if (!needsObject || elements[i].contains(type)) continue;
+    throw SceneError(fmt::format("'{}' is missing", type), source.at(fmt::format("{}/{}", array, i)),
+                     "correct the file or export it again");
+  }
+}
+
 }  // namespace
 
 void checkSchema(const Json& document, const GltfSource& source) {
@@ -156,6 +181,8 @@ void checkSchema(const Json& document, const GltfSource& source) {
     throw SceneError("the JSON is not an object", source.at(""), "correct the file or export it again");
   }
   for (const SchemaRule& rule : schemaRules()) Walk(document, source, rule).run();
+  checkVariants(document, "/cameras", {"perspective", "orthographic"}, source);
+  checkVariants(document, "/extensions/KHR_lights_punctual/lights", {"spot"}, source);
 }
 
 }  // namespace importon

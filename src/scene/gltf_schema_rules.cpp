@@ -17,6 +17,9 @@ class Rules {
   Rules& required(const std::string& key, SchemaKind kind) {
     return add({.path = key, .kind = kind, .isRequired = true});
   }
+  Rules& choice(const std::string& key, std::vector<std::string> choices, bool isRequired = true) {
+    return add({.path = key, .kind = string, .isRequired = isRequired, .choices = std::move(choices)});
+  }
   Rules& count(const std::string& key, double least = 0, bool isRequired = false, double most = kMaxInteger) {
     return add({.path = key, .kind = integer, .isRequired = isRequired, .least = least, .most = most});
   }
@@ -89,7 +92,8 @@ void addMeshes(std::vector<SchemaRule>& rules) {
 void addData(std::vector<SchemaRule>& rules) {
   Rules accessor(rules, "accessors/*");
   accessor.reference("bufferView", "bufferViews").count("byteOffset").count("componentType", 0, true);
-  accessor.count("count", 1, true).required("type", string).optional("normalized", boolean);
+  accessor.count("count", 1, true).choice("type", {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"});
+  accessor.optional("normalized", boolean);
   accessor.optional("sparse", object).count("sparse/count", 1, true);
   accessor.required("sparse/indices", object).required("sparse/values", object);
   accessor.reference("sparse/indices/bufferView", "bufferViews", index, true)
@@ -116,7 +120,9 @@ void addMaterials(std::vector<SchemaRule>& rules) {
   material.optional("pbrMetallicRoughness", object).optional("extensions", object);
   material.vector("emissiveFactor", 3, 0, kBrightest).texture("emissiveTexture");
   material.texture("normalTexture").optional("normalTexture/scale", number);
-  material.optional("alphaMode", string).range("alphaCutoff", 0).optional("doubleSided", boolean);
+  material.choice("alphaMode", {"OPAQUE", "MASK", "BLEND"}, false)
+      .range("alphaCutoff", 0)
+      .optional("doubleSided", boolean);
   Rules pbr(rules, "materials/*/pbrMetallicRoughness");
   pbr.vector("baseColorFactor", 4, 0, 1).texture("baseColorTexture");
   pbr.range("metallicFactor", 0, 1).range("roughnessFactor", 0, 1).texture("metallicRoughnessTexture");
@@ -144,11 +150,16 @@ void addMaterialExtensions(std::vector<SchemaRule>& rules) {
 
 void addCamerasAndLights(std::vector<SchemaRule>& rules) {
   Rules camera(rules, "cameras/*");
-  camera.required("type", string).optional("perspective", object).optional("orthographic", object);
-  camera.required("perspective/yfov", number).range("perspective/aspectRatio", 0);
-  camera.required("orthographic/xmag", number).required("orthographic/ymag", number);
+  camera.choice("type", {"perspective", "orthographic"})
+      .optional("perspective", object)
+      .optional("orthographic", object);
+  camera.required("perspective/yfov", number)
+      .required("perspective/znear", number)
+      .range("perspective/aspectRatio", 0);
+  for (const char* key : {"xmag", "ymag", "zfar", "znear"})
+    camera.required(std::string("orthographic/") + key, number);
   Rules light(rules, "extensions/KHR_lights_punctual/lights/*");
-  light.required("type", string)
+  light.choice("type", {"point", "spot", "directional"})
       .vector("color", 3, 0, kBrightest)
       .range("intensity", 0, kBrightest)
       .range("range", 0);

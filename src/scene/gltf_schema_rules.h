@@ -32,8 +32,9 @@ struct SchemaRule {
   bool isRequired = false;   // an error if the parent is there and this is not
   double least = -kNoLimit;  // integer, number, numbers
   double most = kNoLimit;
-  std::size_t length = 0;  // numbers: how many; 0: any
-  std::string target{};    // index, indices, indexMap: path of the array
+  std::size_t length = 0;              // numbers: how many; 0: any
+  std::string target{};                // index, indices, indexMap: path of the array
+  std::vector<std::string> choices{};  // string: what it may be; empty: anything
 };
 
 /// Parents stand before their children.

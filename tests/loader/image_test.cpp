@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "loader/load.h"
+#include "loader/png_builder.h"
+#include "scene/image_decode.h"
+
+namespace importon::test {
+namespace {
+
+std::vector<uint> decoded(const Bytes& bytes) {
+  std::vector<uint> texels(readImageSize(bytes, "test").texels());
+  decodeImage(bytes, texels, "test");
+  return texels;
+}
+
+std::string refusal(const Bytes& bytes) {
+  try {
+    (void)decoded(bytes);
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Image, PngKeepsItsBytesWithRedLowestAndRowsFromTheTop) {
+  EXPECT_EQ(decoded(makePng(1, 2, {1, 2, 3, 4, 5, 6, 7, 8})), (std::vector<uint>{0x04030201u, 0x08070605u}));
+}
+
+TEST(Image, SixteenBitsAreCutToEight) {
+  EXPECT_EQ(decoded(makePng({.bitDepth = 16}, {0x12, 0xFF, 0x34, 0xFF, 0x56, 0xFF, 0x78, 0xFF})),
+            std::vector<uint>{0x78563412u});
+}
+
+TEST(Image, GreyAndMissingAlphaAreFilledIn) {
+  EXPECT_EQ(decoded(makePng({.colorType = 0}, {0x40})), std::vector<uint>{0xFF404040u});
+  EXPECT_EQ(decoded(makePng({.colorType = 2}, {1, 2, 3})), std::vector<uint>{0xFF030201u});
+  EXPECT_EQ(decoded(makePng({.colorType = 4}, {0x40, 0x80})), std::vector<uint>{0x80404040u});
+}
+
+TEST(Image, ReadsJpeg) {
+  const Bytes rgb(8 * 8 * 3, 200);
+  const std::vector<uint> texels = decoded(makeJpeg(8, 8, rgb));
+  ASSERT_EQ(texels.size(), 64u);
+  EXPECT_NEAR(static_cast<double>(texels[27] & 0xFFu), 200, 3);
+  EXPECT_EQ(texels[27] >> 24, 0xFFu);
+}
+
+TEST(Image, RefusesOtherFormats) {
+  EXPECT_NE(refusal(toBytes("GIF89a")).find("neither PNG nor JPEG"), std::string::npos);
+  EXPECT_NE(refusal(toBytes("RIFF    WEBP")).find("neither PNG nor JPEG"), std::string::npos);
+  EXPECT_NE(refusal({}).find("empty"), std::string::npos);
+}
+
+TEST(Image, RefusesWhatIsCutOff) {
+  const Bytes png = makePng(4, 4, Bytes(64, 100));
+  for (std::size_t length = 0; length + 16 < png.size(); ++length) {
+    EXPECT_NE(refusal(Bytes(png.begin(), png.begin() + static_cast<std::ptrdiff_t>(length))), "") << length;
+  }
+}
+
+TEST(Image, RefusesAHugeDeclaredSizeBeforeDecoding) {
+  EXPECT_NE(refusal(makePng({.width = 16385}, {1, 2, 3, 4})), "");
+  EXPECT_NE(refusal(makePng({.width = 0x7FFFFFFF, .height = 1}, {1, 2, 3, 4})), "");
+  EXPECT_NE(refusal(makePng({.width = 16384, .height = 16384}, Bytes(16384, 0))).find("texels"),
+            std::string::npos);
+}
+
+TEST(Image, RefusesSizeZero) { EXPECT_NE(refusal(makePng({.width = 0}, {1, 2, 3, 4})), ""); }
+
+TEST(Image, AnUndecodableOneIsNamedByItsPointer) {
+  GltfBuilder builder = GltfBuilder::emissiveTriangle();
+  Bytes png = makePng(4, 4, Bytes(64, 100));
+  png.resize(png.size() / 2);
+  builder.json["materials"][0]["emissiveTexture"]["index"] = builder.addTexture(png);
+  const std::string error = errorOf(builder);
+  EXPECT_NE(error.find("cannot be decoded"), std::string::npos) << error;
+  EXPECT_NE(error.find("(test.glb#/images/0)"), std::string::npos) << error;
+}
+
+TEST(Image, OfSeveralBadOnesTheFirstIsNamed) {
+  for (int repetition = 0; repetition < 20; ++repetition) {
+    GltfBuilder builder = GltfBuilder::emissiveTriangle();
+    Bytes png = makePng(4, 4, Bytes(64, 100));
+    png.resize(60);
+    Json& material = builder.json["materials"][0];
+    material["emissiveTexture"]["index"] = builder.addTexture(png);
+    material["normalTexture"]["index"] = builder.addTexture(png);
+    EXPECT_NE(errorOf(builder).find("#/images/0)"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace importon::test

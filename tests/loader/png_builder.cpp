@@ -1,0 +1,92 @@
+#include "loader/png_builder.h"
+
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+#include <stb/stb_image_write.h>
+
+namespace importon::test {
+namespace {
+
+void appendBigEndian(Bytes& bytes, std::uint32_t word) {
+  for (int shift = 24; shift >= 0; shift -= 8)
+    bytes.push_back(static_cast<unsigned char>(word >> shift & 0xFFu));
+}
+
+/// ISO 3309, as PNG asks for.
+std::uint32_t crc32(std::span<const unsigned char> bytes) {
+  std::uint32_t crc = 0xFFFFFFFFu;
+  for (const unsigned char byte : bytes) {
+    crc ^= byte;
+    for (int bit = 0; bit < 8; ++bit) crc = (crc & 1u) != 0 ? crc >> 1 ^ 0xEDB88320u : crc >> 1;
+  }
+  return ~crc;
+}
+
+void appendChunk(Bytes& png, const char* type, const Bytes& payload) {
+  appendBigEndian(png, static_cast<std::uint32_t>(payload.size()));
+  Bytes body(type, type + 4);
+  body.insert(body.end(), payload.begin(), payload.end());
+  png.insert(png.end(), body.begin(), body.end());
+  appendBigEndian(png, crc32(body));
+}
+
+/// zlib with stored blocks [RFC 1950, RFC 1951].
+Bytes deflateStored(const Bytes& data) {
+  Bytes zlib = {0x78, 0x01};
+  constexpr std::size_t kLongestBlock = 65535;
+  std::uint32_t a = 1;
+  std::uint32_t b = 0;
+  for (std::size_t first = 0; first == 0 || first < data.size(); first += kLongestBlock) {
+    const std::size_t length = std::min(kLongestBlock, data.size() - first);
+    zlib.push_back(first + length == data.size() ? 1 : 0);
+    for (const std::size_t value : {length, ~length}) {
+      zlib.push_back(static_cast<unsigned char>(value & 0xFFu));
+      zlib.push_back(static_cast<unsigned char>(value >> 8 & 0xFFu));
+    }
+    for (std::size_t i = first; i < first + length; ++i) {
+      zlib.push_back(data[i]);
+      a = (a + data[i]) % 65521u;
+      b = (b + a) % 65521u;
+    }
+  }
+  appendBigEndian(zlib, b << 16 | a);
+  return zlib;
+}
+
+}  // namespace
+
+Bytes makePng(const PngHeader& header, const Bytes& samples) {
+  Bytes png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+  Bytes head;
+  appendBigEndian(head, header.width);
+  appendBigEndian(head, header.height);
+  head.insert(head.end(), {header.bitDepth, header.colorType, 0, 0, 0});
+  appendChunk(png, "IHDR", head);
+  const std::size_t rowBytes = samples.size() / header.height;
+  Bytes rows;
+  for (std::size_t row = 0; row * rowBytes < samples.size(); ++row) {
+    rows.push_back(0);
+    const auto first = samples.begin() + static_cast<std::ptrdiff_t>(row * rowBytes);
+    rows.insert(rows.end(), first, first + static_cast<std::ptrdiff_t>(rowBytes));
+  }
+  appendChunk(png, "IDAT", deflateStored(rows));
+  appendChunk(png, "IEND", {});
+  return png;
+}
+
+Bytes makePng(std::uint32_t width, std::uint32_t height, const Bytes& rgba) {
+  return makePng({.width = width, .height = height}, rgba);
+}
+
+Bytes makeJpeg(int width, int height, const Bytes& rgb) {
+  Bytes jpeg;
+  const auto write = [](void* out, void* data, int size) {
+    const auto* first = static_cast<const unsigned char*>(data);
+    static_cast<Bytes*>(out)->insert(static_cast<Bytes*>(out)->end(), first, first + size);
+  };
+  stbi_write_jpg_to_func(write, &jpeg, width, height, 3, rgb.data(), 100);
+  return jpeg;
+}
+
+}  // namespace importon::test

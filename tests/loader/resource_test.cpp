@@ -1,0 +1,193 @@
+#include <gtest/gtest.h>
+
+#include "loader/load.h"
+#include "loader/png_builder.h"
+#include "support/temporary_folder.h"
+
+namespace importon::test {
+namespace {
+
+std::string text(const Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
+
+/// A .gltf in a folder of its own whose buffer is a file.
+class ExternalFiles : public testing::Test {
+ protected:
+  ExternalFiles() { writeFile(folder_ / "data.bin", text(builder_.binary)); }
+
+  void setBuffer(const std::string& uri) {
+    builder_.json["buffers"] = Json::array({{{"byteLength", builder_.binary.size()}, {"uri", uri}}});
+  }
+  Scene loadIt() {
+    writeFile(folder_ / "scene.gltf", builder_.json.dump());
+    Log log(Log::Verbosity::quiet);
+    return loadGltf(folder_ / "scene.gltf", log);
+  }
+  std::string error() {
+    try {
+      (void)loadIt();
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  TemporaryFolder folder_;
+  GltfBuilder builder_ = GltfBuilder::emissiveTriangle();
+};
+
+TEST_F(ExternalFiles, BuffersStandBesideTheGltf) {
+  setBuffer("data.bin");
+  EXPECT_EQ(loadIt().triangles.size(), 1u);
+}
+
+TEST_F(ExternalFiles, NamesMayBePercentEncodedAndHoldAPlus) {
+  for (const char* name : {"with space.bin", "a+b.bin", "caf\xC3\xA9.bin", "100%.bin"}) {
+    writeFile(folder_ / name, text(builder_.binary));
+  }
+  for (const char* uri :
+       {"with%20space.bin", "with space.bin", "a+b.bin", "a%2Bb.bin", "caf%C3%A9.bin", "100%25.bin"}) {
+    setBuffer(uri);
+    EXPECT_EQ(error(), "") << uri;
+  }
+}
+
+TEST_F(ExternalFiles, SubfoldersAreAllowed) {
+  std::filesystem::create_directory(folder_ / "sub");
+  writeFile(folder_ / "sub/data.bin", text(builder_.binary));
+  setBuffer("sub/data.bin");
+  EXPECT_EQ(error(), "");
+}
+
+TEST_F(ExternalFiles, ALongerBufferFileIsRead) {
+  writeFile(folder_ / "data.bin", text(builder_.binary) + "more");
+  setBuffer("data.bin");
+  EXPECT_EQ(error(), "");
+}
+
+TEST_F(ExternalFiles, AShorterBufferFileIsRefused) {
+  writeFile(folder_ / "data.bin", "short");
+  setBuffer("data.bin");
+  EXPECT_NE(error().find("byteLength is 36 but 'data.bin' holds 5 bytes"), std::string::npos);
+  EXPECT_NE(error().find("#/buffers/0)"), std::string::npos);
+}
+
+TEST_F(ExternalFiles, AMissingBufferIsNamed) {
+  setBuffer("missing.bin");
+  EXPECT_NE(error().find("the file 'missing.bin' is missing"), std::string::npos);
+  EXPECT_NE(error().find("#/buffers/0/uri)"), std::string::npos);
+}
+
+TEST_F(ExternalFiles, AMissingImageIsNamed) {
+  setBuffer("data.bin");
+  builder_.add("images", {{"uri", "missing.png"}});
+  EXPECT_NE(error().find("the file 'missing.png' is missing"), std::string::npos);
+  EXPECT_NE(error().find("#/images/0/uri)"), std::string::npos);
+}
+
+TEST_F(ExternalFiles, UrisThatLeaveTheFolderAreRefused) {
+  for (const std::string& uri :
+       {std::string("../data.bin"), std::string("%2E%2E/data.bin"), (folder_ / "data.bin").string(),
+        std::string("http://localhost/data.bin"), std::string("sub/../../data.bin"), std::string("")}) {
+    setBuffer(uri);
+    EXPECT_NE(error().find("leaves the folder"), std::string::npos) << uri;
+  }
+}
+
+TEST_F(ExternalFiles, AFolderIsNoBuffer) {
+  std::filesystem::create_directory(folder_ / "sub");
+  setBuffer("sub");
+  EXPECT_NE(error().find("is missing"), std::string::npos);
+}
+
+TEST_F(ExternalFiles, ImagesAndBuffersDoNotGetMixedUp) {
+  setBuffer("data.bin");
+  for (const int value : {10, 20}) {
+    const auto level = static_cast<unsigned char>(value);
+    writeFile(folder_ / (std::to_string(value) + ".png"), text(makePng(1, 1, {level, 0, 0, 255})));
+    builder_.add("textures", {{"source", builder_.add("images", {{"uri", std::to_string(value) + ".png"}})}});
+  }
+  builder_.json["materials"][0]["normalTexture"]["index"] = 0;
+  builder_.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 1;
+  const Scene scene = loadIt();
+  const auto red = [&](uint texture) { return scene.texels[scene.textures[texture].firstTexel] & 0xFFu; };
+  EXPECT_EQ(red(scene.materials[0].normalTexture), 10u);
+  EXPECT_EQ(red(scene.materials[0].baseColorTexture), 20u);
+}
+
+TEST_F(ExternalFiles, AnEmptyImageIsRefusedWhenUsed) {
+  setBuffer("data.bin");
+  writeFile(folder_ / "empty.png", "");
+  builder_.add("textures", {{"source", builder_.add("images", {{"uri", "empty.png"}})}});
+  builder_.json["materials"][0]["emissiveTexture"]["index"] = 0;
+  EXPECT_NE(error().find("the image is empty"), std::string::npos) << error();
+}
+
+TEST_F(ExternalFiles, AFolderIsNoScene) {
+  Log log(Log::Verbosity::quiet);
+  EXPECT_THROW((void)loadGltf(folder_.path(), log), SceneError);
+}
+
+TEST_F(ExternalFiles, AreRefusedFromMemory) {
+  setBuffer("data.bin");
+  EXPECT_NE(errorOf(toBytes(builder_.json.dump())).find("read from memory"), std::string::npos);
+}
+
+std::string bufferError(const Json& buffer) {
+  GltfBuilder builder = GltfBuilder::emissiveTriangle();
+  builder.json["buffers"] = Json::array({buffer});
+  return errorOf(toBytes(builder.json.dump()));
+}
+
+TEST(DataUri, OfABufferMustFitItsLength) {
+  EXPECT_NE(bufferError({{"byteLength", 36}, {"uri", "data:application/octet-stream;base64,QUJD"}})
+                .find("byteLength is 36 but the data URI holds 3 bytes"),
+            std::string::npos);
+}
+
+TEST(DataUri, MustBeBase64OfAKnownType) {
+  EXPECT_NE(
+      bufferError({{"byteLength", 36}, {"uri", "data:application/octet-stream;base64,QU*D"}}).find("malformed"),
+      std::string::npos);
+  EXPECT_NE(
+      bufferError({{"byteLength", 36}, {"uri", "data:application/octet-stream,abc"}}).find("known media type"),
+      std::string::npos);
+  EXPECT_NE(bufferError({{"byteLength", 36}, {"uri", "data:text/html;base64,QUJD"}}).find("known media type"),
+            std::string::npos);
+}
+
+TEST(DataUri, MessagesStayShort) {
+  const std::string error = bufferError({{"byteLength", 36}, {"uri", "data:" + std::string(100000, 'x')}});
+  EXPECT_LT(error.size(), 400u);
+}
+
+TEST(Buffer, NeedsDataFromSomewhere) {
+  EXPECT_NE(bufferError({{"byteLength", 36}}).find("neither 'uri' nor a BIN chunk"), std::string::npos);
+}
+
+TEST(Buffer, LongerThanTheBinChunkIsRefused) {
+  const GltfBuilder builder = GltfBuilder::emissiveTriangle();
+  Json json = builder.json;
+  json["buffers"] = Json::array({{{"byteLength", 2000000000}}});
+  EXPECT_NE(errorOf(makeGlb(json.dump(), builder.binary)).find("holds 36 bytes (test.glb#/buffers/0)"),
+            std::string::npos);
+}
+
+TEST(ImageSource, MayBeADataUri) {
+  GltfBuilder builder = GltfBuilder::emissiveTriangle();
+  builder.add("images", {{"uri", "data:image/png;base64," + base64(makePng(1, 1, {1, 2, 3, 4}))}});
+  builder.add("textures", {{"source", 0}});
+  builder.json["materials"][0]["normalTexture"]["index"] = 0;
+  EXPECT_EQ(load(builder).texels, std::vector<uint>{0x04030201u});
+}
+
+TEST(ImageSource, IsEitherAUriOrAView) {
+  GltfBuilder both = GltfBuilder::emissiveTriangle();
+  both.add("images", {{"uri", "a.png"}, {"bufferView", 0}});
+  EXPECT_NE(errorOf(both).find("either 'uri' or 'bufferView' (test.glb#/images/0)"), std::string::npos);
+  GltfBuilder neither = GltfBuilder::emissiveTriangle();
+  neither.add("images", Json::object());
+  EXPECT_NE(errorOf(neither).find("either 'uri' or 'bufferView'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace importon::test
