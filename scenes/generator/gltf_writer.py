@@ -24,7 +24,7 @@ def emitter(radiance):
     """A single-sided black emitter of constant radiance, W/(m² sr)."""
     strength = max(radiance)
     material = diffuse((0.0, 0.0, 0.0))
-    material["gltf"]["emissiveFactor"] = [round(c / strength, 6) for c in radiance]
+    material["gltf"]["emissiveFactor"] = [round(c / strength, 9) for c in radiance]
     material["gltf"]["extensions"]["KHR_materials_emissive_strength"] = {"emissiveStrength": strength}
     return material
 
