@@ -95,6 +95,14 @@ void sampleDirectLight(uint slot, inout PathState path, Surface s, Bsdf b, mat3 
   atomicAdd(counters[kCounterRaysShadow], 1u);
 }
 
+/// Notes where and with which weight the path gathers indirect light.
+void beginGather(uint slot, PathState path, Surface s) {
+  pathLight[slot].modulation = path.throughput;
+  pathLight[slot].position = s.position;
+  pathLight[slot].normal = s.shadingNormal;
+  pathLight[slot].gathers = 1u;
+}
+
 /// Samples the next direction. After a global lookup only a specular event goes on. False: the path ends.
 bool scatterEye(uint slot, inout PathState path, Surface s, Bsdf b, mat3 frame, Ray ray, bool hasRead, out Ray next) {
   const uint stream = eyeStream(path.id), index = eyeIndex(path.id);
@@ -120,7 +128,7 @@ bool scatterEye(uint slot, inout PathState path, Surface s, Bsdf b, mat3 frame, 
     path.pdfSolidAngle = 0.0;
   } else {
     if ((path.flags & kPathScattered) != 0u) path.flags |= kPathDeep;
-    else if (kEyeMode != kEyeImportons) pathLight[slot].modulation = path.throughput;
+    else if (kEyeMode != kEyeImportons) beginGather(slot, path, s);
     path.flags = (path.flags & ~kPathSpecular) | kPathScattered;
     path.pdfSolidAngle = sampled.pdf;
     path.distance = 0.0;

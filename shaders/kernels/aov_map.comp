@@ -12,12 +12,9 @@ layout(push_constant, scalar) uniform PushBlock { AovMapPush push; };
 /// Photons per m² within the lookup radius.
 float storedDensity(vec3 position, vec3 normal, float radius) {
   uint count = 0u;
-  GridSearch search = beginSearch(storedFrame(), position, radius, radius);
-  while (nextPoint(search)) {
-    const vec3 offset = search.position - position;
-    if (dot(offset, offset) < radius * radius && isSameSurface(normal, mapPointNormal(search.packed), offset, radius))
-      ++count;
-  }
+  Walk walk = beginWalk(storedFrame(), position, normal, radius, radius);
+  while (nextPoint(walk))
+    if (isInside(walk, normal, radius) && hasLikeNormal(walk.packed, normal, kLikeNormal)) ++count;
   return float(count) / (kPi * radius * radius);
 }
 

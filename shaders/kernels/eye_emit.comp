@@ -33,5 +33,5 @@ void main() {
   rays[slot] = ray;
   paths[slot] = path;
   queue[slot] = slot;
-  if (!isImporton) pathLight[slot] = PathLight(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+  if (!isImporton) pathLight[slot] = PathLight(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0u);
 }

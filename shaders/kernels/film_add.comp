@@ -16,6 +16,9 @@ void main() {
   pixel.indirect += light.indirect;
   pixel.irradiance += mix(light.indirect / light.modulation, vec3(0.0), lessThanEqual(light.modulation, vec3(0.0)));
   pixel.modulation += light.modulation;
+  pixel.position += light.position;
+  pixel.normal += light.normal;
+  pixel.gathers += float(light.gathers);
   const vec3 sum = light.direct + light.caustic + light.indirect;
   pixel.square += sum * sum;
   film[push.offset + slot] = pixel;

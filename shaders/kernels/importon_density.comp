@@ -13,20 +13,18 @@ layout(push_constant, scalar) uniform PushBlock { ImportonDensityPush push; };
 const uint kBins = 32u;
 uint bins[kBins];
 
-/// Squared distance of the candidate at hand, or -1 if it lies on another surface.
-float candidateDistance(GridSearch search, vec3 normal) {
-  const vec3 offset = search.position - search.centre;
-  if (dot(mapPointNormal(search.packed), normal) < 0.7 || abs(dot(offset, normal)) > 0.25 * search.radius) return -1.0;
-  return dot(offset, offset);
+/// Squared distance of the point at hand, or -1 if it lies on another surface.
+float likeDistance(Walk walk, vec3 normal, float radius) {
+  return isInside(walk, normal, radius) && hasLikeNormal(walk.packed, normal, 0.7) ? dot(walk.offset, walk.offset) : -1.0;
 }
 
 /// Narrows [low, high) of squared distance to the bin in which the count reaches `nearest`; false: it does not.
-bool narrow(vec3 centre, vec3 normal, uint level, float radius, inout float low, inout float high, inout uint inner) {
+bool narrow(inout Walk walk, vec3 normal, float radius, inout float low, inout float high, inout uint inner) {
   for (uint b = 0u; b < kBins; ++b) bins[b] = 0u;
   const float scale = float(kBins) / (high - low);
-  GridSearch search = beginSearchLevels(storedFrame(), centre, radius, level, level);
-  while (nextPoint(search)) {
-    const float d2 = candidateDistance(search, normal);
+  restartWalk(walk);
+  while (nextPoint(walk)) {
+    const float d2 = likeDistance(walk, normal, radius);
     if (d2 >= low && d2 < high) ++bins[min(uint((d2 - low) * scale), kBins - 1u)];
   }
   for (uint b = 0u; b < kBins; ++b) {
@@ -42,14 +40,14 @@ bool narrow(vec3 centre, vec3 normal, uint level, float radius, inout float low,
 }
 
 /// Γ from all importons nearer than `limit` (squared).
-float importanceWithin(vec3 centre, vec3 normal, uint level, float radius, float limit) {
+float importanceWithin(inout Walk walk, vec3 normal, float radius, float limit) {
   float sum = 0.0, outermost = 0.0, outerWeight = 0.0;
   uint count = 0u;
-  GridSearch search = beginSearchLevels(storedFrame(), centre, radius, level, level);
-  while (nextPoint(search)) {
-    const float d2 = candidateDistance(search, normal);
+  restartWalk(walk);
+  while (nextPoint(walk)) {
+    const float d2 = likeDistance(walk, normal, radius);
     if (d2 < 0.0 || d2 >= limit) continue;
-    const float weight = texelFetch(weights, int(search.index)).x;
+    const float weight = texelFetch(weights, int(walk.index)).x;
     sum += weight;
     ++count;
     if (d2 >= outermost) {
@@ -66,19 +64,20 @@ void main() {
   if (i >= counters[kCounterSelected]) return;
   const MapPoint point = recordPoints[selection[i]];
   const vec3 normal = mapPointNormal(point.packed);
+  const GridFrame frame = storedFrame();
   uint level = startLevels[i];
-  float radius = gridCellEdge(storedFrame(), level);
-  float low = 0.0, high = radius * radius;
-  uint inner = 0u;
-  bool isFound = narrow(point.position, normal, level, radius, low, high, inner);
-  if (!isFound && level > 0u) {
-    --level;
-    radius *= 2.0;
+  Walk walk;
+  float radius, low, high;
+  bool isFound = false;
+  for (uint attempt = 0u; attempt < 2u && !isFound; ++attempt) {
+    level -= min(level, attempt);
+    radius = gridCellEdge(frame, level);
     low = 0.0;
     high = radius * radius;
-    inner = 0u;
-    isFound = narrow(point.position, normal, level, radius, low, high, inner);
+    uint inner = 0u;
+    walk = beginWalkLevels(frame, point.position, normal, radius, level, level);
+    isFound = narrow(walk, normal, radius, low, high, inner);
+    if (isFound) narrow(walk, normal, radius, low, high, inner);
   }
-  if (isFound) isFound = narrow(point.position, normal, level, radius, low, high, inner);
-  required[i] = importanceWithin(point.position, normal, level, radius, high);
+  required[i] = importanceWithin(walk, normal, radius, high);
 }

@@ -13,23 +13,29 @@ layout(scalar, binding = kBindingEyeVertices) readonly buffer EyeVerticesBlock {
 layout(binding = kBindingMapFlux) uniform usamplerBuffer mapFlux;
 layout(push_constant, scalar) uniform PushBlock { MapLookupPush push; };
 
+/// What one photon adds to the radiance.
+vec3 photonContribution(Surface s, Bsdf b, vec3 wo, mat3 frame, uint photon, float radius) {
+  const uvec4 point = gridPoint(photon);
+  const vec3 offset = uintBitsToFloat(point.xyz) - s.position;
+  if (!hasLikeNormal(point.w, s.geometricNormal, kLikeNormal)) return vec3(0.0);
+  const vec3 towardsLight = mapPointDirection(point.w);
+  float pdf;
+  // Photons count flux per area of the true surface; the BSDF's cosine is the shading normal's.
+  const vec3 f = evalBsdf(b, wo, towardsLight * frame, pdf) / max(dot(towardsLight, s.geometricNormal), 0.05);
+  return f * unpackFlux(texelFetch(mapFlux, int(photon)).xy) * epanechnikov(dot(offset, offset), radius);
+}
+
 /// Light reflected at s towards the path, W/(m² sr).
 vec3 reflectedRadiance(Surface s, vec3 direction, float radius) {
   const mat3 frame = frameAround(s.shadingNormal);
   const vec3 wo = -direction * frame;
   const Bsdf b = makeBsdf(s, wo.z);
   vec3 sum = vec3(0.0);
-  GridSearch search = beginSearch(storedFrame(), s.position, radius, radius);
-  while (nextPoint(search)) {
-    const vec3 offset = search.position - s.position;
-    const float d2 = dot(offset, offset);
-    if (d2 >= radius * radius) continue;
-    if (!isSameSurface(s.geometricNormal, mapPointNormal(search.packed), offset, radius)) continue;
-    const vec3 towardsLight = mapPointDirection(search.packed);
-    float pdf;
-    // Photons count flux per area of the true surface; the BSDF's cosine is the shading normal's.
-    const vec3 f = evalBsdf(b, wo, towardsLight * frame, pdf) / max(dot(towardsLight, s.geometricNormal), 0.05);
-    sum += f * unpackFlux(texelFetch(mapFlux, int(search.index)).xy) * epanechnikov(d2, radius);
+  Walk walk = beginWalk(storedFrame(), s.position, s.geometricNormal, radius, radius);
+  bool isDone = false;
+  while (!isDone) {
+    const uint count = collectFound(walk, s.geometricNormal, radius, isDone);
+    for (uint k = 0u; k < count; ++k) sum += photonContribution(s, b, wo, frame, foundPoints[k], radius);
   }
   return sum;
 }

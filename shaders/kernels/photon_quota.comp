@@ -20,16 +20,11 @@ void main() {
   const float radius = quotaRadius(required[i]);
   const uint quota = uint(params.quotaPhotons);
   uint count = push.isBatch != 0u && push.hasStored != 0u ? neighbours[i] : 0u;
-  GridSearch search = beginSearch(storedFrame(), point.position, radius, radius);
-  while (count < quota && nextPoint(search)) {
-    if (push.isBatch != 0u && texelFetch(storedOrder, int(search.index)).x >= i) {
-      skipCell(search);  // a cell holds its hits in their order
-      continue;
-    }
-    const vec3 offset = search.position - point.position;
-    if (dot(offset, offset) < radius * radius &&
-        isSameSurface(normal, mapPointNormal(search.packed), offset, radius))
-      ++count;
+  Walk walk = beginWalk(storedFrame(), point.position, normal, radius, radius);
+  while (count < quota && nextPoint(walk)) {
+    if (!isInside(walk, normal, radius)) continue;
+    if (push.isBatch != 0u && texelFetch(storedOrder, int(walk.index)).x >= i) skipRange(walk);  // later hits follow
+    else if (hasLikeNormal(walk.packed, normal, kLikeNormal)) ++count;
   }
   neighbours[i] = count;
   keep[i] = uint(count < quota);

@@ -30,14 +30,13 @@ uint insertReceiver(uint count, uint photon, float d2) {
 uint findReceivers(MapPoint point, float radius) {
   const vec3 normal = mapPointNormal(point.packed);
   uint count = 0u;
-  GridSearch search = beginSearch(storedFrame(), point.position, radius, radius);
-  while (nextPoint(search)) {
-    const vec3 offset = search.position - point.position;
-    const float d2 = dot(offset, offset);
-    // A quarter of its cell's edge is at most the receiver's quota radius.
-    const float own = min(radius, 0.25 * gridCellEdge(search.frame, search.level));
-    if (d2 >= own * own || !isSameSurface(normal, mapPointNormal(search.packed), offset, radius)) continue;
-    count = insertReceiver(count, texelFetch(storedOrder, int(search.index)).x, d2);
+  const GridFrame frame = storedFrame();
+  Walk walk = beginWalk(frame, point.position, normal, radius, radius);
+  while (nextPoint(walk)) {
+    // Three eighths of its cell's edge are at most the receiver's quota radius.
+    const float own = min(radius, 0.375 * gridCellEdge(frame, walk.level));
+    if (isInside(walk, normal, own) && hasLikeNormal(walk.packed, normal, kLikeNormal))
+      count = insertReceiver(count, texelFetch(storedOrder, int(walk.index)).x, dot(walk.offset, walk.offset));
   }
   return count;
 }

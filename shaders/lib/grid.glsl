@@ -1,8 +1,8 @@
-// A hashed grid of many cell sizes. A point of radius r lives in one cell of level l, whose edge is at least 2r
-// and less than 4r; a search of radius r visits the levels next to its own as well, so it finds every point
-// whose radius is within a factor of two of its own. Points of a slot that belong to another cell (hash
-// collision) are told apart by recomputing their cell: none is counted twice.
-// The kernel defines `uvec2 gridCell(uint slot)` (first point, end) before including this file.
+// A hashed grid of many cell sizes. A point of radius r lives in one cell of level l, whose edge is at least 4/3 r
+// and less than 8/3 r; a search of radius r visits the levels next to its own as well, so it finds every point
+// whose radius is within a factor of two of its own. No search spans more than four cells along an axis, and cells
+// within four of each other never share a slot, so a search sees no slot twice on one level; points of other levels
+// are told by the level they carry. So nothing is counted twice, whatever collides.
 #ifndef IMPORTON_LIB_GRID_GLSL
 #define IMPORTON_LIB_GRID_GLSL
 #include "lib/hash.glsl"
@@ -16,9 +16,9 @@ struct GridFrame {
   uint slotMask;
 };
 
-/// Level of a point of radius r: the finest with cells of at least 2r.
+/// Level of a point of radius r: the finest with cells of at least 4/3 r.
 uint gridLevel(GridFrame frame, float radius) {
-  const float cells = frame.extent / (2.0 * radius);
+  const float cells = frame.extent / (1.3333334 * radius);
   if (!(cells >= 1.0)) return 0u;
   return min((floatBitsToUint(cells) >> 23) - 127u, kGridLevels - 1u);  // floor(log2(cells))
 }
@@ -30,9 +30,12 @@ ivec3 gridCellOf(GridFrame frame, vec3 position, uint level) {
   return ivec3(floor((position - frame.origin) * (float(1u << level) / frame.extent)));
 }
 
+/// Blocks of 4x4x4 cells are hashed; inside a block every cell has its own slot.
 uint gridSlot(GridFrame frame, ivec3 cell, uint level) {
-  const uint x = uint(cell.x) * 0x8DA6B343u ^ uint(cell.y) * 0xD8163841u ^ uint(cell.z) * 0xCB1AB31Fu;
-  return hash(x + level * 0x9E3779B9u) & frame.slotMask;
+  const uvec3 block = uvec3(cell >> 2);
+  const uvec3 inner = uvec3(cell & 3);
+  const uint mixed = block.x * 0x8DA6B343u ^ block.y * 0xD8163841u ^ block.z * 0xCB1AB31Fu;
+  return (hash(mixed + level * 0x9E3779B9u) << 6 | inner.x | inner.y << 2 | inner.z << 4) & frame.slotMask;
 }
 
 #endif

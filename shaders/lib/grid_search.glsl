@@ -1,92 +1,115 @@
-// Walks over the points within a box around a centre, one at a time, so that the lanes of a SIMD unit stay busy:
-//   GridSearch search = beginSearch(frame, centre, radius);
-//   while (nextPoint(search)) { ... search.index, search.point ... }
-// The kernel defines `uvec2 gridCell(uint slot)` and `uvec4 gridPoint(uint index)` before including this file.
+// Searches a grid in steps that keep the lanes of a SIMD unit together: first the ranges of points in all cells that
+// the search touches, then a walk over the points of all ranges, one after the other:
+//   Walk walk = beginWalk(frame, centre, normal, radius, radius);
+//   while (nextPoint(walk)) { ... walk.index, walk.offset ... }
+// The kernel defines `uvec2 gridCell(uint slot)` (first point, end) and `uvec4 gridPoint(uint index)` before
+// including this file.
 #ifndef IMPORTON_LIB_GRID_SEARCH_GLSL
 #define IMPORTON_LIB_GRID_SEARCH_GLSL
 #include "lib/grid.glsl"
 #include "lib/map_point.glsl"
 
-struct GridSearch {
-  GridFrame frame;
+const uint kMaxRanges = 88u;  // 4³ cells of the finer level, 3³ or less of the others, less those off the plane
+uvec2 searchRanges[kMaxRanges];  // first point; count, and level from bit 27 on
+
+struct Walk {
   vec3 centre;
-  float radius;
-  uint level;       // at work
-  uint lastLevel;
-  ivec3 cell;       // at work
-  ivec3 cellMin;
-  ivec3 cellMax;
-  uint index;       // of the point at hand, in cell order
-  uint end;         // of the slot at work
-  vec3 position;    // of the point at hand
-  uint packed;
-  bool isBegun;
+  uint ranges;     // in all
+  uint range;      // the next one
+  uint left;       // points left in the range at work
+  uint level;      // of the range at work
+  uint index;      // of the point at hand, in cell order
+  uint packed;     // of the point at hand
+  vec3 offset;     // from the centre to it
 };
 
-void beginLevel(inout GridSearch search) {
-  search.cellMin = gridCellOf(search.frame, search.centre - search.radius, search.level);
-  search.cellMax = gridCellOf(search.frame, search.centre + search.radius, search.level);
-  search.cell = search.cellMin;
-}
-
-/// Searches the levels `firstLevel` .. `lastLevel`.
-GridSearch beginSearchLevels(GridFrame frame, vec3 centre, float radius, uint firstLevel, uint lastLevel) {
-  GridSearch search;
-  search.frame = frame;
-  search.centre = centre;
-  search.radius = radius;
-  search.level = firstLevel;
-  search.lastLevel = lastLevel;
-  search.index = 0u;
-  search.end = 0u;
-  search.isBegun = false;
-  beginLevel(search);
-  return search;
-}
-
-/// Searches for points whose own radius is within a factor of two of `ownRadius`, which sets the levels.
-GridSearch beginSearch(GridFrame frame, vec3 centre, float radius, float ownRadius) {
-  const uint level = gridLevel(frame, ownRadius);
-  return beginSearchLevels(frame, centre, radius, level > 0u ? level - 1u : 0u, min(level + 1u, kGridLevels - 1u));
-}
-
-/// Steps to the next cell; false when all are done.
-bool nextCell(inout GridSearch search) {
-  if (!search.isBegun) {
-    search.isBegun = true;
-  } else if (++search.cell.x > search.cellMax.x) {
-    search.cell.x = search.cellMin.x;
-    if (++search.cell.y > search.cellMax.y) {
-      search.cell.y = search.cellMin.y;
-      if (++search.cell.z > search.cellMax.z) {
-        if (++search.level > search.lastLevel) return false;
-        beginLevel(search);
+/// Adds the non-empty cells of a level that touch the box of `radius` around `centre` and the slab around its plane.
+uint addRanges(GridFrame frame, vec3 centre, vec3 normal, float radius, uint level, uint count) {
+  const ivec3 low = gridCellOf(frame, centre - radius, level), high = gridCellOf(frame, centre + radius, level);
+  const float edge = gridCellEdge(frame, level);
+  const float reach = 0.25 * radius + 0.5001 * edge * (abs(normal.x) + abs(normal.y) + abs(normal.z));
+  const vec3 first = frame.origin + (vec3(low) + 0.5) * edge - centre;
+  for (int z = low.z; z <= high.z; ++z) {
+    for (int y = low.y; y <= high.y; ++y) {
+      for (int x = low.x; x <= high.x; ++x) {
+        const vec3 middle = first + vec3(ivec3(x, y, z) - low) * edge;
+        if (abs(dot(middle, normal)) > reach) continue;
+        const uvec2 cell = gridCell(gridSlot(frame, ivec3(x, y, z), level));
+        if (cell.y > cell.x && count < kMaxRanges) searchRanges[count++] = uvec2(cell.x, cell.y - cell.x | level << 27);
       }
     }
   }
-  const uvec2 range = gridCell(gridSlot(search.frame, search.cell, search.level));
-  search.index = range.x;
-  search.end = range.y;
+  return count;
+}
+
+/// Searches the levels `firstLevel` .. `lastLevel`.
+Walk beginWalkLevels(GridFrame frame, vec3 centre, vec3 normal, float radius, uint firstLevel, uint lastLevel) {
+  Walk walk;
+  walk.centre = centre;
+  walk.ranges = 0u;
+  for (uint level = firstLevel; level <= lastLevel; ++level)
+    walk.ranges = addRanges(frame, centre, normal, radius, level, walk.ranges);
+  walk.range = 0u;
+  walk.left = 0u;
+  walk.index = 0u;
+  walk.level = 0u;
+  return walk;
+}
+
+/// Searches for points whose own radius is within a factor of two of `ownRadius`, which sets the levels.
+Walk beginWalk(GridFrame frame, vec3 centre, vec3 normal, float radius, float ownRadius) {
+  const uint level = gridLevel(frame, ownRadius);
+  return beginWalkLevels(frame, centre, normal, radius, level > 0u ? level - 1u : 0u, min(level + 1u, kGridLevels - 1u));
+}
+
+/// Goes over the points again.
+void restartWalk(inout Walk walk) {
+  walk.range = 0u;
+  walk.left = 0u;
+}
+
+/// Steps to the next point, not yet tested for its level or distance; false when all are done.
+bool nextPoint(inout Walk walk) {
+  if (walk.left == 0u) {
+    if (walk.range == walk.ranges) return false;
+    const uvec2 range = searchRanges[walk.range++];
+    walk.index = range.x - 1u;
+    walk.left = range.y & 0x07FFFFFFu;
+    walk.level = range.y >> 27;
+  }
+  ++walk.index;
+  --walk.left;
+  const uvec4 point = gridPoint(walk.index);
+  walk.offset = uintBitsToFloat(point.xyz) - walk.centre;
+  walk.packed = point.w;
   return true;
 }
 
-/// Steps to the next point of a visited cell (not yet tested for distance); false when all are done.
-bool nextPoint(inout GridSearch search) {
-  if (search.isBegun) ++search.index;
-  for (;;) {
-    while (search.index >= search.end)
-      if (!nextCell(search)) return false;
-    const uvec4 point = gridPoint(search.index);
-    search.position = uintBitsToFloat(point.xyz);
-    search.packed = point.w;
-    if (mapPointLevel(point.w) == search.level &&
-        gridCellOf(search.frame, search.position, search.level) == search.cell)
-      return true;
-    ++search.index;
-  }
+/// True if the point at hand is of its range's level and within `radius` and the slab around the plane.
+bool isInside(Walk walk, vec3 normal, float radius) {
+  return dot(walk.offset, walk.offset) < radius * radius && mapPointLevel(walk.packed) == walk.level &&
+         isNearPlane(normal, walk.offset, radius);
 }
 
-/// Leaves the cell at work.
-void skipCell(inout GridSearch search) { search.index = search.end; }
+/// Leaves the range at work.
+void skipRange(inout Walk walk) { walk.left = 0u; }
+
+// Points that passed isInside, kept for a second loop in which all lanes have work.
+const uint kMaxFound = 32u;
+uint foundPoints[kMaxFound];
+
+/// Fills foundPoints from where the walk stands until they are full or the walk is done; returns their number.
+uint collectFound(inout Walk walk, vec3 normal, float radius, out bool isDone) {
+  uint count = 0u;
+  isDone = false;
+  while (count < kMaxFound) {
+    if (!nextPoint(walk)) {
+      isDone = true;
+      break;
+    }
+    if (isInside(walk, normal, radius)) foundPoints[count++] = walk.index;
+  }
+  return count;
+}
 
 #endif

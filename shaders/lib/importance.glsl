@@ -20,10 +20,10 @@ float importanceAt(GridFrame frame, uint levels, vec3 position, vec3 normal) {
     for (uint i = range.x; i < end; ++i) {
       const uvec4 point = importonPoint(i);
       const vec3 p = uintBitsToFloat(point.xyz);
-      if (mapPointLevel(point.w) != level || gridCellOf(frame, p, level) != cell) continue;
+      if (mapPointLevel(point.w) != level) continue;
       const vec3 offset = p - position;
       const float d2 = dot(offset, offset);
-      if (d2 < nearest && dot(mapPointNormal(point.w), normal) > 0.7) {
+      if (d2 < nearest && hasLikeNormal(point.w, normal, 0.7)) {
         nearest = d2;
         importance = importonImportance(i);
       }

@@ -13,10 +13,16 @@ vec3 mapPointNormal(uint packed) { return unpackOctahedral((packed >> 16) & 0x7F
 uint mapPointLevel(uint packed) { return packed >> 27; }
 uint withMapPointLevel(uint packed, uint level) { return (packed & 0x07FFFFFFu) | (level << 27); }
 
-/// Two points lie on the same surface, for density estimation, if their normals are within about 26 degrees
-/// and the one lies near the other's tangent plane. `offset`: from the estimate's centre to the point.
-bool isSameSurface(vec3 centreNormal, vec3 pointNormal, vec3 offset, float radius) {
-  return dot(centreNormal, pointNormal) > 0.9 && abs(dot(offset, centreNormal)) < 0.25 * radius;
+/// True if a packed normal is within acos(cosine) of `normal` (unit).
+bool hasLikeNormal(uint packed, vec3 normal, float cosine) {
+  const vec3 n = octahedralDirection(unpackOctahedralSquare((packed >> 16) & 0x7FFu, 6u, 5u));
+  const float d = dot(n, normal);
+  return d > 0.0 && d * d > cosine * cosine * dot(n, n);
 }
+
+/// For density estimation a point lies on the surface of the estimate's centre if it is near the tangent plane and
+/// their normals are within about 26 degrees. `offset`: from the centre to the point.
+bool isNearPlane(vec3 normal, vec3 offset, float radius) { return abs(dot(offset, normal)) < 0.25 * radius; }
+const float kLikeNormal = 0.9;
 
 #endif

@@ -9,10 +9,11 @@ vec2 octahedralFromVector(vec3 v) {
   return v.z >= 0.0 ? p : (1.0 - abs(p.yx)) * signs;
 }
 
-vec3 vectorFromOctahedral(vec2 p) {
+/// The direction at a point of the square, not normalised.
+vec3 octahedralDirection(vec2 p) {
   const float z = 1.0 - abs(p.x) - abs(p.y);
   const float fold = max(-z, 0.0);
-  return normalize(vec3(p.x + (p.x >= 0.0 ? -fold : fold), p.y + (p.y >= 0.0 ? -fold : fold), z));
+  return vec3(p.x + (p.x >= 0.0 ? -fold : fold), p.y + (p.y >= 0.0 ? -fold : fold), z);
 }
 
 /// To two unsigned numbers of the given counts of bits, x in the low ones.
@@ -22,10 +23,14 @@ uint packOctahedral(vec3 v, uint bitsX, uint bitsY) {
   return q.x | (q.y << bitsX);
 }
 
-vec3 unpackOctahedral(uint packed, uint bitsX, uint bitsY) {
+/// The point of the square that packOctahedral stored.
+vec2 unpackOctahedralSquare(uint packed, uint bitsX, uint bitsY) {
   const uvec2 masks = uvec2((1u << bitsX) - 1u, (1u << bitsY) - 1u);
-  const vec2 q = vec2(uvec2(packed, packed >> bitsX) & masks) / vec2(masks);
-  return vectorFromOctahedral(q * 2.0 - 1.0);
+  return vec2(uvec2(packed, packed >> bitsX) & masks) * (2.0 / vec2(masks)) - 1.0;
+}
+
+vec3 unpackOctahedral(uint packed, uint bitsX, uint bitsY) {
+  return normalize(octahedralDirection(unpackOctahedralSquare(packed, bitsX, bitsY)));
 }
 
 #endif

@@ -1,25 +1,16 @@
 // Unpacks the shading attributes of a Vertex; src/scene/packing.h is the twin that packs them.
 #ifndef IMPORTON_LIB_PACKING_GLSL
 #define IMPORTON_LIB_PACKING_GLSL
-
-/// The unit vector at a point of the octahedral map, [-1, 1]²
-/// [Cigolle et al. 2014, A Survey of Efficient Representations for Independent Unit Vectors, section 3].
-vec3 directionFromOctahedron(vec2 square) {
-  vec3 direction = vec3(square, 1.0 - abs(square.x) - abs(square.y));
-  const float fold = max(-direction.z, 0.0);
-  direction.x += direction.x >= 0.0 ? -fold : fold;
-  direction.y += direction.y >= 0.0 ? -fold : fold;
-  return normalize(direction);
-}
+#include "lib/octahedral.glsl"
 
 /// Vertex::normal, which is not kNone.
-vec3 unpackNormal(uint packed) { return directionFromOctahedron(unpackSnorm2x16(packed)); }
+vec3 unpackNormal(uint packed) { return normalize(octahedralDirection(unpackSnorm2x16(packed))); }
 
 /// Vertex::tangent, which is not kNone: tangent in xyz; w is the sign of the bitangent, w · cross(normal, tangent).
 vec4 unpackTangent(uint packed) {
   const float x = float(int(packed) >> 16) / 32767.0;
   const float y = float(int(packed << 16) >> 17) / 16383.0;
-  return vec4(directionFromOctahedron(vec2(x, y)), (packed & 1u) != 0u ? -1.0 : 1.0);
+  return vec4(normalize(octahedralDirection(vec2(x, y))), (packed & 1u) != 0u ? -1.0 : 1.0);
 }
 
 /// Vertex::colorRG and colorBA: linear RGBA.

@@ -80,6 +80,9 @@ struct PathLight {
   vec3 caustic;
   vec3 indirect;
   vec3 modulation;  // throughput times reflectance at the vertex that gathered
+  vec3 position;    // of that vertex, render space
+  vec3 normal;      // shading normal there
+  uint gathers;     // 1 if there was one
 };
 
 /// Sums over the passes of one half (odd or even passes), W/(m² sr).
@@ -89,6 +92,9 @@ struct FilmPixel {
   vec3 indirect;    // with its modulation
   vec3 irradiance;  // indirect without its modulation
   vec3 modulation;
+  vec3 position;    // of the vertices that gathered
+  vec3 normal;
+  float gathers;    // how many there were
   vec3 square;      // of the whole radiance of a pass
 };
 

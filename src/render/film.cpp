@@ -4,13 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "render/indirect_filter.h"
+
 namespace importon {
-namespace {
-
-vec3 sumOf(const FilmPixel& p) { return p.direct + p.caustic + p.indirect; }
-
-}  // namespace
-
 Film::Film(gpu::Context& context, std::uint64_t pixels, std::uint64_t tilePixels) : pixels_(pixels) {
   for (std::uint64_t first = 0; first < pixels; first += tilePixels) {
     const std::uint64_t count = std::min(tilePixels, pixels - first);
@@ -32,36 +28,21 @@ std::vector<FilmPixel> Film::download() const {
   return halves;
 }
 
-FilmLayers resolveFilm(std::span<const FilmPixel> halves, int passes) {
-  const std::size_t pixels = halves.size() / 2;
-  const float scale = passes > 0 ? 1.0f / static_cast<float>(passes) : 0.0f;
-  FilmLayers layers;
-  for (auto* layer : {&layers.total, &layers.direct, &layers.caustic, &layers.indirect, &layers.variance})
-    layer->resize(pixels);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    const FilmPixel &a = halves[i], &b = halves[pixels + i];
-    layers.direct[i] = (a.direct + b.direct) * scale;
-    layers.caustic[i] = (a.caustic + b.caustic) * scale;
-    layers.indirect[i] = (a.indirect + b.indirect) * scale;
-    layers.total[i] = layers.direct[i] + layers.caustic[i] + layers.indirect[i];
-    const vec3 spread = (a.square + b.square) * scale - layers.total[i] * layers.total[i];
-    layers.variance[i] = passes > 1 ? glm::max(spread, vec3(0)) / static_cast<float>(passes - 1) : vec3(0);
-  }
-  return layers;
-}
+namespace {
 
-double estimateError(std::span<const FilmPixel> halves, int passes) {
-  const std::size_t pixels = halves.size() / 2;
-  const double perHalf = std::max(passes / 2, 1);
-  double sum = 0;
-  for (const FilmPixel& p : halves) {
-    const vec3 s = sumOf(p);
-    sum += static_cast<double>(s.x) + static_cast<double>(s.y) + static_cast<double>(s.z);
-  }
-  const double mean = sum / (static_cast<double>(halves.size()) * 3 * perHalf);
+/// Light of both halves as means over their passes.
+struct HalfMeans {
+  std::vector<vec3> even, odd;
+};
+
+double estimateError(const HalfMeans& means) {
+  const std::size_t pixels = means.even.size();
+  glm::dvec3 sum(0);
+  for (std::size_t i = 0; i < pixels; ++i) sum += 0.5 * glm::dvec3(means.even[i] + means.odd[i]);
+  const double mean = (sum.x + sum.y + sum.z) / (3 * static_cast<double>(pixels));
   std::vector<double> errors(pixels);
   for (std::size_t i = 0; i < pixels; ++i) {
-    const glm::dvec3 a = glm::dvec3(sumOf(halves[i])) / perHalf, b = glm::dvec3(sumOf(halves[pixels + i])) / perHalf;
+    const glm::dvec3 a(means.even[i]), b(means.odd[i]);
     const glm::dvec3 middle = 0.5 * (a + b), half = 0.5 * (a - b);
     const glm::dvec3 relative = half * half / (middle * middle + std::max(0.01 * mean * mean, 1e-300));
     errors[i] = (relative.x + relative.y + relative.z) / 3;
@@ -70,6 +51,48 @@ double estimateError(std::span<const FilmPixel> halves, int passes) {
   std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(kept - 1), errors.end());
   const double total = std::accumulate(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(kept), 0.0);
   return std::sqrt(total / static_cast<double>(kept));
+}
+
+HalfMeans indirectMeans(std::span<const FilmPixel> halves, const FilmReading& reading, float perEven, float perOdd) {
+  const std::size_t pixels = halves.size() / 2;
+  if (reading.filtersIndirect && reading.passes >= 2) {
+    FilteredIndirect filtered = filterIndirect(halves, reading.width, reading.passes, reading.threads);
+    return {std::move(filtered.even), std::move(filtered.odd)};
+  }
+  HalfMeans means{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
+  for (std::size_t i = 0; i < pixels; ++i) {
+    means.even[i] = halves[i].indirect * perEven;
+    means.odd[i] = halves[pixels + i].indirect * perOdd;
+  }
+  return means;
+}
+
+}  // namespace
+
+FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& reading) {
+  const std::size_t pixels = halves.size() / 2;
+  const int passes = reading.passes;
+  const auto inverse = [](int n) { return n > 0 ? 1.0f / static_cast<float>(n) : 0.0f; };
+  const float scale = inverse(passes), perEven = inverse((passes + 1) / 2), perOdd = inverse(passes / 2);
+  const float evenShare = static_cast<float>((passes + 1) / 2) * scale;
+  HalfMeans means = indirectMeans(halves, reading, perEven, perOdd);
+  FilmLayers layers;
+  for (auto* layer : {&layers.total, &layers.direct, &layers.caustic, &layers.indirect, &layers.variance})
+    layer->resize(pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const FilmPixel &a = halves[i], &b = halves[pixels + i];
+    layers.direct[i] = (a.direct + b.direct) * scale;
+    layers.caustic[i] = (a.caustic + b.caustic) * scale;
+    layers.indirect[i] = means.even[i] * evenShare + means.odd[i] * (1 - evenShare);
+    layers.total[i] = layers.direct[i] + layers.caustic[i] + layers.indirect[i];
+    const vec3 unfiltered = layers.direct[i] + layers.caustic[i] + (a.indirect + b.indirect) * scale;
+    const vec3 spread = (a.square + b.square) * scale - unfiltered * unfiltered;
+    layers.variance[i] = passes > 1 ? glm::max(spread, vec3(0)) / static_cast<float>(passes - 1) : vec3(0);
+    means.even[i] += (a.direct + a.caustic) * perEven;
+    means.odd[i] += (b.direct + b.caustic) * perOdd;
+  }
+  if (passes >= 2) layers.estimatedError = estimateError(means);
+  return layers;
 }
 
 }  // namespace importon

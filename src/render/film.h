@@ -28,17 +28,24 @@ class Film {
   std::vector<FilmTile> tiles_;
 };
 
-/// Means of the film over `passes` passes, per pixel, W/(m² sr).
+/// Means of the film over passes, per pixel, W/(m² sr).
 struct FilmLayers {
   std::vector<vec3> total, direct, caustic, indirect;
-  std::vector<vec3> variance;  // of the mean, from the spread over passes
+  std::vector<vec3> variance;        // of the mean, from the spread over passes, before any filter
+  double estimatedError = 0;         // relative, from the difference of the halves; 0 if there is no second half
 };
 
-/// `halves` as Film::download gives them. Passes are dealt to the halves in turn, the even half first.
-[[nodiscard]] FilmLayers resolveFilm(std::span<const FilmPixel> halves, int passes);
+/// How to read a film.
+struct FilmReading {
+  int width = 1;
+  int passes = 0;                // dealt to the halves in turn, the even half first
+  bool filtersIndirect = false;  // shares irradiance among pixels: render/indirect_filter.h
+  int threads = 0;
+};
 
-/// Estimated relative error of the mean from the difference of the halves: the square root of
-/// mean((A-B)²/4 / (I² + 0.01 mean(I)²)) without the worst 0.1 % of pixels. Needs an even number of passes.
-[[nodiscard]] double estimateError(std::span<const FilmPixel> halves, int passes);
+/// `halves` as Film::download gives them. The error is the square root of
+/// mean((A-B)²/4 / (I² + 0.01 mean(I)²)) over pixels and channels without the worst 0.1 % of pixels, A and B being
+/// the means of the halves and I theirs.
+[[nodiscard]] FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& reading);
 
 }  // namespace importon

@@ -10,7 +10,7 @@ struct PassPlan {
   std::uint32_t photons = 0;    // emitted per pass; 0: no maps
   std::uint32_t batch = 0;      // traced at once
   std::uint32_t importons = 0;
-  uint nearestImportons = 50;   // M of the importance estimate
+  uint nearestImportons = 32;   // M of the importance estimate
   uint receivers = 1;           // M'
   std::uint64_t tilePixels = 0;
   std::uint64_t mapCapacity = 0;  // photons

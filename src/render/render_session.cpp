@@ -143,8 +143,13 @@ void RenderSession::countPass(int) {
   if (causticMap_) addCounts(stats_.caustic, causticMap_->readCounts(*stage_, parameters_.fluxScale), "caustic");
 }
 
+FilmLayers RenderSession::readFilm(int passes) const {
+  return resolveFilm(film_->download(), {size_.x, passes, job_.filtersIndirect && hasMaps(), job_.threads});
+}
+
 Image RenderSession::resolve(int passes) {
-  const FilmLayers layers = resolveFilm(film_->download(), passes);
+  const FilmLayers layers = readFilm(passes);
+  if (passes >= 2) stats_.error.estimated = layers.estimatedError;
   Image image;
   image.width = size_.x;
   image.height = size_.y;

@@ -28,13 +28,14 @@ class RenderSession {
 
   [[nodiscard]] int maxPasses() const { return plan_.maxPasses; }
   [[nodiscard]] bool hasMaps() const { return job_.integrator == Integrator::photon; }
-  [[nodiscard]] double estimatedError(int passes) const { return estimateError(film_->download(), passes); }
+  [[nodiscard]] double estimatedError(int passes) const { return readFilm(passes).estimatedError; }
   /// The image so far with the layers that the job asks for.
   [[nodiscard]] Image resolve(int passes);
   [[nodiscard]] RenderStats& stats() { return stats_; }
   void finishStats(int passes);
 
  private:
+  [[nodiscard]] FilmLayers readFilm(int passes) const;
   void loadDevice();
   void startPass(int pass);
   void submit(double& seconds);

@@ -1,0 +1,146 @@
+#include "render/indirect_filter.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/parallel.h"
+
+namespace importon {
+namespace {
+
+constexpr std::array kRadii{0, 1, 2, 4, 8, 14};  // pixels
+constexpr int kWindow = 8;                       // half the side of the window that chooses the radius, pixels
+constexpr float kLikeNormal = 0.9f;
+constexpr float kPurity = 0.98f;  // length of the mean normal below which a pixel sees several surfaces
+
+/// What the filter knows of a pixel.
+struct Guide {
+  vec3 position{0};
+  vec3 normal{0};
+  bool isPure = false;  // all its gathers lie on one smooth surface
+};
+
+struct Halves {
+  std::span<const FilmPixel> even, odd;
+  int width, height;
+  std::vector<Guide> guides;
+};
+
+Guide makeGuide(const FilmPixel& a, const FilmPixel& b) {
+  Guide g;
+  const float gathers = a.gathers + b.gathers;
+  if (a.gathers < 1 || b.gathers < 1) return g;
+  g.position = (a.position + b.position) / gathers;
+  const vec3 normal = (a.normal + b.normal) / gathers;
+  const float length = glm::length(normal);
+  g.isPure = length > kPurity;
+  if (g.isPure) g.normal = normal / length;
+  return g;
+}
+
+/// True if q's gathers may stand for p's: like normals, and each in the other's plane up to a tenth of the distance.
+bool isLike(const Guide& p, const Guide& q) {
+  if (!q.isPure || glm::dot(p.normal, q.normal) < kLikeNormal) return false;
+  const vec3 offset = q.position - p.position;
+  const float off = std::max(std::abs(glm::dot(offset, p.normal)), std::abs(glm::dot(offset, q.normal)));
+  return off * off <= 0.01f * glm::dot(offset, offset);
+}
+
+struct Estimate {
+  vec3 even{0}, odd{0};  // irradiance of each half
+};
+
+/// Mean irradiance of both halves over the disc of `radius` pixels around pixel (x, y).
+Estimate average(const Halves& h, int x, int y, int radius) {
+  const std::size_t centre = static_cast<std::size_t>(y) * static_cast<std::size_t>(h.width) + static_cast<std::size_t>(x);
+  Estimate sum;
+  float evenGathers = 0, oddGathers = 0;
+  const auto add = [&](std::size_t i) {
+    sum.even += h.even[i].irradiance;
+    sum.odd += h.odd[i].irradiance;
+    evenGathers += h.even[i].gathers;
+    oddGathers += h.odd[i].gathers;
+  };
+  for (int dy = -radius; dy <= radius; ++dy) {
+    for (int dx = -radius; dx <= radius; ++dx) {
+      const int qx = x + dx, qy = y + dy;
+      if (dx * dx + dy * dy > radius * radius || qx < 0 || qy < 0 || qx >= h.width || qy >= h.height) continue;
+      const std::size_t i = static_cast<std::size_t>(qy) * static_cast<std::size_t>(h.width) + static_cast<std::size_t>(qx);
+      if (i == centre || isLike(h.guides[centre], h.guides[i])) add(i);
+    }
+  }
+  if (evenGathers > 0) sum.even /= evenGathers;
+  if (oddGathers > 0) sum.odd /= oddGathers;
+  return sum;
+}
+
+/// How badly each half's estimate predicts the other half's own irradiance, relative to the light around.
+float residual(const Estimate& estimate, const Estimate& own) {
+  const vec3 a = estimate.even - own.odd, b = estimate.odd - own.even;
+  return glm::dot(a, a) + glm::dot(b, b);
+}
+
+/// Means of `values` over windows of (2 kWindow + 1)² pixels, row sums first.
+std::vector<float> blur(const std::vector<float>& values, int width, int height, int threads) {
+  const auto at = [width](int x, int y) { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x); };
+  std::vector<float> rows(values.size()), out(values.size());
+  parallelFor(static_cast<std::size_t>(height), 16, threads, [&](std::size_t begin, std::size_t end) {
+    for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
+      for (int x = 0; x < width; ++x)
+        for (int q = std::max(x - kWindow, 0); q <= std::min(x + kWindow, width - 1); ++q) rows[at(x, y)] += values[at(q, y)];
+  });
+  parallelFor(static_cast<std::size_t>(height), 16, threads, [&](std::size_t begin, std::size_t end) {
+    for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
+      for (int q = std::max(y - kWindow, 0); q <= std::min(y + kWindow, height - 1); ++q)
+        for (int x = 0; x < width; ++x) out[at(x, y)] += rows[at(x, q)];
+  });
+  return out;
+}
+
+/// Light of a half from its irradiance: a pixel of one surface takes the mean modulation.
+vec3 modulate(const FilmPixel& a, const FilmPixel& b, vec3 irradiance, int passes) {
+  const float gathers = a.gathers + b.gathers;
+  const vec3 modulation = (a.modulation + b.modulation) / std::max(gathers, 1.0f);
+  return modulation * irradiance * (gathers / static_cast<float>(passes));
+}
+
+}  // namespace
+
+FilteredIndirect filterIndirect(std::span<const FilmPixel> film, int width, int passes, int threads) {
+  const std::size_t pixels = film.size() / 2;
+  Halves h{film.first(pixels), film.last(pixels), width, static_cast<int>(pixels) / width, std::vector<Guide>(pixels)};
+  for (std::size_t i = 0; i < pixels; ++i) h.guides[i] = makeGuide(h.even[i], h.odd[i]);
+
+  std::vector<float> best(pixels);
+  FilteredIndirect result{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
+  const float perEven = static_cast<float>((passes + 1) / 2), perOdd = static_cast<float>(passes / 2);
+  for (const int radius : kRadii) {
+    std::vector<Estimate> estimates(pixels);
+    std::vector<float> residuals(pixels);
+    parallelFor(static_cast<std::size_t>(h.height), 4, threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t y = begin; y < end; ++y)
+        for (int x = 0; x < width; ++x) {
+          const std::size_t i = y * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+          if (!h.guides[i].isPure) continue;
+          const Estimate own = average(h, x, static_cast<int>(y), 0);
+          estimates[i] = average(h, x, static_cast<int>(y), radius);
+          residuals[i] = residual(estimates[i], own);
+        }
+    });
+    const std::vector<float> around = blur(residuals, width, h.height, threads);
+    for (std::size_t i = 0; i < pixels; ++i) {
+      if (radius == 0) {
+        best[i] = around[i];
+        result.even[i] = h.even[i].indirect / perEven;
+        result.odd[i] = h.odd[i].indirect / perOdd;
+      } else if (h.guides[i].isPure && around[i] < best[i]) {
+        best[i] = around[i];
+        result.even[i] = modulate(h.even[i], h.odd[i], estimates[i].even, passes);
+        result.odd[i] = modulate(h.even[i], h.odd[i], estimates[i].odd, passes);
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace importon

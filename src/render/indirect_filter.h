@@ -1,0 +1,22 @@
+/// Shares gathered irradiance among neighbouring pixels that see the same surface.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "shared/render_data.h"
+
+namespace importon {
+
+/// Filtered indirect light of both halves, with its modulation, per pixel: means over passes.
+struct FilteredIndirect {
+  std::vector<vec3> even, odd;
+};
+
+/// Averages irradiance (indirect light without its modulation) over discs of pixels whose gathers lie on the same
+/// plane with like normals. The radius of each pixel, from 0 on, is the one whose disc in the one half predicts the
+/// other half best, over a window around it: noise lowers with the radius, bias rises, and as the noise goes to
+/// zero so does the radius. Direct and caustic light are untouched. `halves`: even passes, then odd ones, each
+/// width · height pixels; `passes` in all, at least 2.
+[[nodiscard]] FilteredIndirect filterIndirect(std::span<const FilmPixel> halves, int width, int passes, int threads);
+
+}  // namespace importon
