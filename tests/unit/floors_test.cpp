@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <map>
-#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -36,15 +36,25 @@ struct Include {
   std::string target;  // as written
 };
 
+/// What a line of the form `#include "..."` or `#include <...>` names; empty if it is another line.
+std::string includeOn(const std::string& line) {
+  const std::size_t hash = line.find_first_not_of(" \t");
+  if (hash == std::string::npos || line[hash] != '#') return "";
+  const std::size_t word = line.find_first_not_of(" \t", hash + 1);
+  if (word == std::string::npos || line.compare(word, 7, "include") != 0) return "";
+  const std::size_t open = line.find_first_of("\"<", word), close = line.find_last_of("\">");
+  return close != std::string::npos && open < close ? line.substr(open + 1, close - open - 1) : "";
+}
+
 std::vector<Include> includesOf(const fs::path& sources) {
-  static const std::regex pattern(R"(^[ \t]*#[ \t]*include[ \t]*["<]([^">]+)[">])", std::regex::multiline);
   std::vector<Include> includes;
   for (const auto& entry : fs::recursive_directory_iterator(sources)) {
-    if (!entry.is_regular_file() || (entry.path().extension() != ".h" && entry.path().extension() != ".cpp"))
-      continue;
-    const std::string text = test::readFile(entry.path());
-    for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
-      includes.push_back({fs::relative(entry.path(), sources), (*match)[1]});
+    if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
+    std::ifstream stream(entry.path());
+    for (std::string line; std::getline(stream, line);) {
+      if (const std::string target = includeOn(line); !target.empty()) {
+        includes.push_back({fs::relative(entry.path(), sources), target});
+      }
     }
   }
   return includes;
