@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "loader/image_builder.h"
 #include "loader/load.h"
-#include "loader/png_builder.h"
 #include "scene/image_decode.h"
 
 namespace importon::test {
@@ -54,8 +54,13 @@ TEST(Image, RefusesOtherFormats) {
 
 TEST(Image, RefusesWhatIsCutOff) {
   const Bytes png = makePng(4, 4, Bytes(64, 100));
-  for (std::size_t length = 0; length + 16 < png.size(); ++length) {
-    EXPECT_NE(refusal(Bytes(png.begin(), png.begin() + static_cast<std::ptrdiff_t>(length))), "") << length;
+  const Bytes jpeg = makeJpeg(16, 16, Bytes(768, 200));
+  for (const Bytes& whole : {png, jpeg}) {
+    for (std::size_t length = 0; length + 2 < whole.size(); ++length) {
+      EXPECT_NE(refusal(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length))), "")
+          << length;
+    }
+    EXPECT_EQ(refusal(whole), "");
   }
 }
 
@@ -64,6 +69,13 @@ TEST(Image, RefusesAHugeDeclaredSizeBeforeDecoding) {
   EXPECT_NE(refusal(makePng({.width = 0x7FFFFFFF, .height = 1}, {1, 2, 3, 4})), "");
   EXPECT_NE(refusal(makePng({.width = 16384, .height = 16384}, Bytes(16384, 0))).find("texels"),
             std::string::npos);
+}
+
+TEST(Image, ColourChunksHaveNoEffect) {
+  Bytes png = makePng(1, 1, {100, 100, 100, 255});
+  const unsigned char gamma[] = {0, 0, 0, 4, 'g', 'A', 'M', 'A', 0, 1, 0x86, 0xA0, 0x31, 0xE8, 0x96, 0x5F};
+  png.insert(png.begin() + 33, std::begin(gamma), std::end(gamma));  // after IHDR: gamma 1
+  EXPECT_EQ(decoded(png), std::vector<uint>{0xFF646464u});
 }
 
 TEST(Image, RefusesSizeZero) { EXPECT_NE(refusal(makePng({.width = 0}, {1, 2, 3, 4})), ""); }

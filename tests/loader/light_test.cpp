@@ -2,8 +2,8 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "loader/image_builder.h"
 #include "loader/load.h"
-#include "loader/png_builder.h"
 #include "scene/lights.h"
 
 namespace importon::test {

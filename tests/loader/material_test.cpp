@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "loader/image_builder.h"
 #include "loader/load.h"
-#include "loader/png_builder.h"
 
 namespace importon::test {
 namespace {

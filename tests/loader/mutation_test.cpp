@@ -3,8 +3,8 @@
 
 #include <random>
 
+#include "loader/image_builder.h"
 #include "loader/load.h"
-#include "loader/png_builder.h"
 
 namespace importon::test {
 namespace {

@@ -1,9 +1,12 @@
-#include "loader/png_builder.h"
+#include "loader/image_builder.h"
 
-#define STB_IMAGE_WRITE_STATIC
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STBI_WRITE_NO_STDIO
-#include <stb/stb_image_write.h>
+#include <cstdlib>
+
+// jpeglib.h needs FILE.
+// clang-format off
+#include <cstdio>
+#include <jpeglib.h>
+// clang-format on
 
 namespace importon::test {
 namespace {
@@ -79,14 +82,30 @@ Bytes makePng(std::uint32_t width, std::uint32_t height, const Bytes& rgba) {
   return makePng({.width = width, .height = height}, rgba);
 }
 
-Bytes makeJpeg(int width, int height, const Bytes& rgb) {
-  Bytes jpeg;
-  const auto write = [](void* out, void* data, int size) {
-    const auto* first = static_cast<const unsigned char*>(data);
-    static_cast<Bytes*>(out)->insert(static_cast<Bytes*>(out)->end(), first, first + size);
-  };
-  stbi_write_jpg_to_func(write, &jpeg, width, height, 3, rgb.data(), 100);
-  return jpeg;
+Bytes makeJpeg(unsigned width, unsigned height, const Bytes& rgb) {
+  jpeg_compress_struct jpeg{};
+  jpeg_error_mgr error{};
+  jpeg.err = jpeg_std_error(&error);
+  jpeg_create_compress(&jpeg);
+  unsigned char* data = nullptr;
+  unsigned long size = 0;
+  jpeg_mem_dest(&jpeg, &data, &size);
+  jpeg.image_width = width;
+  jpeg.image_height = height;
+  jpeg.input_components = 3;
+  jpeg.in_color_space = JCS_RGB;
+  jpeg_set_defaults(&jpeg);
+  jpeg_set_quality(&jpeg, 100, TRUE);
+  jpeg_start_compress(&jpeg, TRUE);
+  for (std::size_t row = 0; row < height; ++row) {
+    JSAMPROW line = const_cast<JSAMPROW>(&rgb[row * width * 3]);
+    jpeg_write_scanlines(&jpeg, &line, 1);
+  }
+  jpeg_finish_compress(&jpeg);
+  jpeg_destroy_compress(&jpeg);
+  Bytes bytes(data, data + size);
+  std::free(data);
+  return bytes;
 }
 
 }  // namespace importon::test

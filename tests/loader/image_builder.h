@@ -1,4 +1,4 @@
-/// PNG files in memory, of any bit depth and with any declared size.
+/// PNG files in memory, of any bit depth and with any declared size, and JPEG files.
 #pragma once
 #include <cstdint>
 
@@ -20,6 +20,6 @@ struct PngHeader {
 [[nodiscard]] Bytes makePng(std::uint32_t width, std::uint32_t height, const Bytes& rgba);
 
 /// An RGB image as JPEG of quality 100.
-[[nodiscard]] Bytes makeJpeg(int width, int height, const Bytes& rgb);
+[[nodiscard]] Bytes makeJpeg(unsigned width, unsigned height, const Bytes& rgb);
 
 }  // namespace importon::test
