@@ -29,12 +29,13 @@ struct Surface {
   vec3 absorption;       // 1/m, of the solid behind the surface
 };
 
-struct VertexValues {
-  vec3 normal;       // not normalised; zero: flat
-  vec2 uv0, uv1;
-  vec4 tangent;      // w: sign of the bitangent
-  vec4 color;
-};
+/// Unit normal of the front (counter-clockwise) side.
+vec3 triangleNormal(vec3 p0, vec3 p1, vec3 p2) {
+  const vec3 n = cross(p1 - p0, p2 - p0);
+  // Scaled first: the square of a small triangle's area may underflow.
+  const float size = max(abs(n.x), max(abs(n.y), abs(n.z)));
+  return normalize(n / size);
+}
 
 vec3 vertexPosition(uint vertex) { return uintBitsToFloat(vertexTexel(3u * vertex).xyz); }
 

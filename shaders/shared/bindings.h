@@ -8,8 +8,7 @@ SHARED_BEGIN
 
 // The scene. "texel": bound as a uniform texel buffer (usamplerBuffer), which lavapipe reads much faster than
 // a storage buffer at divergent addresses and which is not subject to its limit of 128 MiB.
-SHARED_CONST uint kBindingBvhNodes = 0;        // texel uint4
-SHARED_CONST uint kBindingBvhTriangles = 1;    // texel uint4
+SHARED_CONST uint kBindingBvhNodes = 0;        // texel uint4, three per BvhRecord
 SHARED_CONST uint kBindingVertices = 2;        // texel uint4, three per vertex: DeviceVertex
 SHARED_CONST uint kBindingTriangles = 3;       // texel uint4, one per Triangle
 SHARED_CONST uint kBindingMaterials = 5;       // texel uint4, eight per Material

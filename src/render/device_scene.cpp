@@ -90,8 +90,7 @@ DeviceScene uploadScene(gpu::Context& context, const Scene& scene, const Bvh& bv
   std::vector<double> powers;
   for (const Light& light : scene.lights) powers.push_back(light.power);
   DeviceScene d;
-  d.bvhNodes = buffer(context, "BVH nodes", bvh.nodes, TexelFormat::uint4);
-  d.bvhTriangles = buffer(context, "BVH triangles", bvh.triangles, TexelFormat::uint4);
+  d.bvh = buffer(context, "BVH", bvh.nodes, TexelFormat::uint4);
   d.vertices = buffer(context, "vertices", packVertices(scene), TexelFormat::uint4);
   d.triangles = buffer(context, "triangles", scene.triangles, TexelFormat::uint4);
   d.materials = buffer(context, "materials", scene.materials, TexelFormat::uint4);
@@ -104,8 +103,7 @@ DeviceScene uploadScene(gpu::Context& context, const Scene& scene, const Bvh& bv
 }
 
 void DeviceScene::bind(gpu::BindingTable& table) const {
-  table.set(kBindingBvhNodes, bvhNodes);
-  table.set(kBindingBvhTriangles, bvhTriangles);
+  table.set(kBindingBvhNodes, bvh);
   table.set(kBindingVertices, vertices);
   table.set(kBindingTriangles, triangles);
   table.set(kBindingMaterials, materials);
