@@ -3,13 +3,13 @@
 #define IMPORTON_BINDINGS_LIGHTS_GLSL
 #include "bindings/scene.glsl"
 
-layout(scalar, binding = kBindingLights) readonly buffer LightsBlock { Light lights[]; };
+layout(binding = kBindingLights) uniform usamplerBuffer lightTexels;
 layout(scalar, binding = kBindingLightAlias) readonly buffer LightAliasBlock { LightAlias lightAlias[]; };
 
 layout(binding = kBindingLightOfTriangle) uniform usamplerBuffer lightOfTriangleTexels;
 
 uint lightOfTriangle(uint triangle) { return texelFetch(lightOfTriangleTexels, int(triangle)).x; }
-Light lightAt(uint i) { return lights[i]; }
+uvec4 lightTexel(uint i) { return texelFetch(lightTexels, int(i)); }
 LightAlias lightAliasAt(uint i) { return lightAlias[i]; }
 
 #include "lib/light.glsl"

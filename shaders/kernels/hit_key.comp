@@ -21,4 +21,5 @@ void main() {
   selectedPoints[i] = point;
   keys[i] = gridSlot(frame, gridCellOf(frame, point.position, level), level);
   keep[i] = uint(push.isControlled == 0u);
+  atomicOr(counters[kCounterLevels], 1u << level);
 }

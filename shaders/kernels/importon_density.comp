@@ -75,7 +75,7 @@ void main() {
     low = 0.0;
     high = radius * radius;
     uint inner = 0u;
-    walk = beginWalkLevels(frame, point.position, normal, radius, level, level);
+    walk = beginWalkLevels(frame, point.position, normal, radius, 1u << level);
     isFound = narrow(walk, normal, radius, low, high, inner);
     if (isFound) narrow(walk, normal, radius, low, high, inner);
   }

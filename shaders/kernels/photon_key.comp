@@ -17,5 +17,6 @@ void main() {
   const uint level = own - min(own, push.levelShift);
   if (push.levelShift != 0u) photonPoints[i].packed = withMapPointLevel(point.packed, level);
   const GridFrame frame = GridFrame(params.gridOrigin, params.gridExtent, push.slotMask);
+  atomicOr(counters[kCounterStoredLevels], 1u << level);
   keys[i] = gridSlot(frame, gridCellOf(frame, point.position, level), level);
 }

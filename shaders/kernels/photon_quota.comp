@@ -20,7 +20,8 @@ void main() {
   const float radius = quotaRadius(required[i]);
   const uint quota = uint(params.quotaPhotons);
   uint count = push.isBatch != 0u && push.hasStored != 0u ? neighbours[i] : 0u;
-  Walk walk = beginWalk(storedFrame(), point.position, normal, radius, radius);
+  const uint levels = counters[push.isBatch != 0u ? kCounterLevels : kCounterStoredLevels];
+  Walk walk = beginWalk(storedFrame(), levels, point.position, normal, radius);
   while (count < quota && nextPoint(walk)) {
     if (!isInside(walk, normal, radius)) continue;
     if (push.isBatch != 0u && texelFetch(storedOrder, int(walk.index)).x >= i) skipRange(walk);  // later hits follow

@@ -31,7 +31,7 @@ uint findReceivers(MapPoint point, float radius) {
   const vec3 normal = mapPointNormal(point.packed);
   uint count = 0u;
   const GridFrame frame = storedFrame();
-  Walk walk = beginWalk(frame, point.position, normal, radius, radius);
+  Walk walk = beginWalk(frame, counters[kCounterStoredLevels], point.position, normal, radius);
   while (nextPoint(walk)) {
     // Three eighths of its cell's edge are at most the receiver's quota radius.
     const float own = min(radius, 0.375 * gridCellEdge(frame, walk.level));

@@ -1,6 +1,6 @@
 // Searches a grid in steps that keep the lanes of a SIMD unit together: first the ranges of points in all cells that
 // the search touches, then a walk over the points of all ranges, one after the other:
-//   Walk walk = beginWalk(frame, centre, normal, radius, radius);
+//   Walk walk = beginWalk(frame, levels, centre, normal, radius);
 //   while (nextPoint(walk)) { ... walk.index, walk.offset ... }
 // The kernel defines `uvec2 gridCell(uint slot)` (first point, end) and `uvec4 gridPoint(uint index)` before
 // including this file.
@@ -42,13 +42,13 @@ uint addRanges(GridFrame frame, vec3 centre, vec3 normal, float radius, uint lev
   return count;
 }
 
-/// Searches the levels `firstLevel` .. `lastLevel`.
-Walk beginWalkLevels(GridFrame frame, vec3 centre, vec3 normal, float radius, uint firstLevel, uint lastLevel) {
+/// Searches the levels of the bits set in `levels`.
+Walk beginWalkLevels(GridFrame frame, vec3 centre, vec3 normal, float radius, uint levels) {
   Walk walk;
   walk.centre = centre;
   walk.ranges = 0u;
-  for (uint level = firstLevel; level <= lastLevel; ++level)
-    walk.ranges = addRanges(frame, centre, normal, radius, level, walk.ranges);
+  for (; levels != 0u; levels &= levels - 1u)
+    walk.ranges = addRanges(frame, centre, normal, radius, uint(findLSB(levels)), walk.ranges);
   walk.range = 0u;
   walk.left = 0u;
   walk.index = 0u;
@@ -56,10 +56,11 @@ Walk beginWalkLevels(GridFrame frame, vec3 centre, vec3 normal, float radius, ui
   return walk;
 }
 
-/// Searches for points whose own radius is within a factor of two of `ownRadius`, which sets the levels.
-Walk beginWalk(GridFrame frame, vec3 centre, vec3 normal, float radius, float ownRadius) {
-  const uint level = gridLevel(frame, ownRadius);
-  return beginWalkLevels(frame, centre, normal, radius, level > 0u ? level - 1u : 0u, min(level + 1u, kGridLevels - 1u));
+/// Searches for points whose own radius is within a factor of two of `radius`. `levels`: a bit for each level that
+/// the grid has points on.
+Walk beginWalk(GridFrame frame, uint levels, vec3 centre, vec3 normal, float radius) {
+  const uint own = 2u << gridLevel(frame, radius);  // a bit up, so that the level below has one too
+  return beginWalkLevels(frame, centre, normal, radius, levels & ((own >> 2) | (own >> 1) | own));
 }
 
 /// Goes over the points again.

@@ -1,5 +1,6 @@
 // Lights: choosing one for a point, sampling it, and emitting photons from it.
-// The kernel defines `Light lightAt(uint index)`, `LightAlias lightAliasAt(uint index)` and includes
+// The kernel defines `uvec4 lightTexel(uint index)` (four per light: position and kind; direction and power;
+// emission and area; triangle, two-sidedness, cosines of a spot), `LightAlias lightAliasAt(uint index)` and includes
 // lib/surface.glsl before this file.
 #ifndef IMPORTON_LIB_LIGHT_GLSL
 #define IMPORTON_LIB_LIGHT_GLSL
@@ -14,18 +15,36 @@ struct LightSample {
   float pdf;        // 1/sr, choosing included; 0: no other technique finds this light
 };
 
+Light lightAt(uint index) {
+  const uvec4 t0 = lightTexel(4u * index), t1 = lightTexel(4u * index + 1u);
+  const uvec4 t2 = lightTexel(4u * index + 2u), t3 = lightTexel(4u * index + 3u);
+  Light light;
+  light.position = uintBitsToFloat(t0.xyz);
+  light.kind = t0.w;
+  light.direction = uintBitsToFloat(t1.xyz);
+  light.power = uintBitsToFloat(t1.w);
+  light.emission = uintBitsToFloat(t2.xyz);
+  light.area = uintBitsToFloat(t2.w);
+  light.triangle = t3.x;
+  light.isTwoSided = t3.y;
+  light.cosInner = uintBitsToFloat(t3.z);
+  light.cosOuter = uintBitsToFloat(t3.w);
+  light.range = 0.0;
+  return light;
+}
+
 /// Irradiance that a light may bring to x, roughly: the weight of choosing it. Zero only where it brings none.
-float lightWeight(Light light, vec3 x) {
-  if (light.kind == kLightDirectional) return mean(light.emission);
-  if (light.kind == kLightEnvironment) return kPi * mean(light.emission);
-  const vec3 to = light.position - x;
-  const float d2 = dot(to, to);
-  if (light.kind == kLightTriangle) {
-    const bool isBehind = dot(to, light.direction) > 0.0 && light.isTwoSided == 0u;
-    if (isBehind) return 0.0;  // exact: all of the light lies in one plane
-    return light.power / (kPi * max(d2, light.area));
-  }
-  return light.power / (4.0 * kPi * max(d2, 1e-30));
+float lightWeight(uint index, vec3 x) {
+  const uvec4 t0 = lightTexel(4u * index), t1 = lightTexel(4u * index + 1u), t2 = lightTexel(4u * index + 2u);
+  const uint kind = t0.w;
+  if (kind == kLightDirectional) return mean(uintBitsToFloat(t2.xyz));
+  if (kind == kLightEnvironment) return kPi * mean(uintBitsToFloat(t2.xyz));
+  const vec3 to = uintBitsToFloat(t0.xyz) - x;
+  const float d2 = dot(to, to), power = uintBitsToFloat(t1.w);
+  if (kind != kLightTriangle) return power / (4.0 * kPi * max(d2, 1e-30));
+  const bool isBehind = dot(to, uintBitsToFloat(t1.xyz)) > 0.0 && lightTexel(4u * index + 3u).y == 0u;
+  if (isBehind) return 0.0;  // exact: all of the light lies in one plane
+  return power / (kPi * max(d2, uintBitsToFloat(t2.w)));
 }
 
 /// Chooses a light for x; `weightSum` is what lightProbability needs to know of the choice.
@@ -40,25 +59,30 @@ uint chooseLight(uint count, vec3 x, float u, out float probability, out float w
     probability = lightAliasAt(chosen).probability;
     return chosen;
   }
-  for (uint i = 0u; i < count; ++i) weightSum += lightWeight(lightAt(i), x);
-  if (weightSum <= 0.0) return kNone;
-  float left = u * weightSum;
+  // One pass: each light replaces the choice so far with its share of the sum so far; u is used up bit by bit.
   uint chosen = kNone;
+  float chosenWeight = 0.0;
   for (uint i = 0u; i < count; ++i) {
-    const float w = lightWeight(lightAt(i), x);
-    if (w > 0.0 && left >= 0.0) {
+    const float w = lightWeight(i, x);
+    if (w <= 0.0) continue;
+    weightSum += w;
+    const float share = w / weightSum;
+    if (u < share || chosen == kNone) {
+      u = chosen == kNone ? u : u / share;
       chosen = i;
-      probability = w / weightSum;
+      chosenWeight = w;
+    } else {
+      u = (u - share) / (1.0 - share);
     }
-    left -= w;
   }
+  probability = weightSum > 0.0 ? chosenWeight / weightSum : 0.0;
   return chosen;
 }
 
 /// Probability with which chooseLight took `index` at x.
 float lightProbability(uint count, uint index, vec3 x, float weightSum) {
   if (count > kLinearLights) return lightAliasAt(index).probability;
-  return weightSum > 0.0 ? lightWeight(lightAt(index), x) / weightSum : 0.0;
+  return weightSum > 0.0 ? lightWeight(index, x) / weightSum : 0.0;
 }
 
 float spotFalloff(Light light, float cosine) {

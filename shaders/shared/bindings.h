@@ -14,7 +14,7 @@ SHARED_CONST uint kBindingTriangles = 3;       // texel uint4, one per Triangle
 SHARED_CONST uint kBindingMaterials = 5;       // texel uint4, eight per Material
 SHARED_CONST uint kBindingTextures = 6;        // texel uint4, four per DeviceTexture
 SHARED_CONST uint kBindingTexels = 7;          // texel uint1, RGBA8
-SHARED_CONST uint kBindingLights = 8;          // storage, Light[]
+SHARED_CONST uint kBindingLights = 8;          // texel uint4, four per light: lib/light.glsl
 SHARED_CONST uint kBindingLightAlias = 9;      // storage, LightAlias[]
 SHARED_CONST uint kBindingLightOfTriangle = 10;  // texel uint1
 

@@ -96,6 +96,7 @@ struct ImportonPointsPush {
 struct MapLookupPush {
   uint source;
   uint isGlobal;
+  uint levels;  // counter with the map's grid levels
 };
 
 /// kernels/photon_emit.comp
@@ -182,6 +183,7 @@ struct AovSurfacePush {
 struct AovMapPush {
   uint count;
   uint isGlobal;
+  uint levels;  // counter with the map's grid levels
 };
 
 /// kernels/trace.comp

@@ -162,8 +162,9 @@ SHARED_CONST uint kCounterTotal = 7u;         // result of a scan
 SHARED_CONST uint kCounterOverflow = 8u;      // photons that found no room
 SHARED_CONST uint kCounterRaysClosest = 9u;   // rays traced in this pass
 SHARED_CONST uint kCounterRaysShadow = 10u;
-SHARED_CONST uint kCounterLevels = 11u;       // grid levels in use, a bit each
+SHARED_CONST uint kCounterLevels = 11u;       // grid levels of the importons or the batch at work, a bit each
 SHARED_CONST uint kCounterRedistributed = 12u;  // hits of the map at work that gave their power away
+SHARED_CONST uint kCounterStoredLevels = 14u;   // grid levels of the stored photons at work, a bit each
 SHARED_CONST uint kCounterAccepted = 13u;       // hits accepted now
 // What each map keeps between batches: kCounterMap + kCountersPerMap · (0 caustic, 1 global) + which.
 SHARED_CONST uint kCounterMap = 16u;
@@ -171,6 +172,7 @@ SHARED_CONST uint kCountersPerMap = 4u;
 SHARED_CONST uint kMapStored = 0u;
 SHARED_CONST uint kMapHits = 1u;
 SHARED_CONST uint kMapRedistributed = 2u;
+SHARED_CONST uint kMapLevels = 3u;             // grid levels of the finished map, a bit each
 SHARED_CONST uint kCounterCount = 64u;
 
 SHARED_END

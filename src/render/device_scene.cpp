@@ -1,5 +1,6 @@
 #include "render/device_scene.h"
 
+#include <bit>
 #include <cstring>
 #include <numeric>
 
@@ -37,18 +38,32 @@ std::vector<uvec4> packTextures(const Scene& scene) {
   return texels;
 }
 
-/// Lights with what only the device asks for: centroid, normal and sidedness of triangles.
-std::vector<Light> completeLights(const Scene& scene) {
-  std::vector<Light> lights = scene.lights;
-  for (Light& light : lights) {
-    if (light.kind != kLightTriangle) continue;
-    const Triangle& t = scene.triangles[light.triangle];
-    const vec3 a = scene.positions[t.v0], b = scene.positions[t.v1], c = scene.positions[t.v2];
-    light.position = (a + b + c) / 3.0f;
-    light.direction = vec3(glm::normalize(glm::cross(glm::dvec3(b - a), glm::dvec3(c - a))));
-    light.isTwoSided = (scene.materials[t.material].flags & kMaterialDoubleSided) != 0;
+/// A light with what only the device asks for: centroid, normal and sidedness of triangles.
+Light completeLight(const Scene& scene, Light light) {
+  if (light.kind != kLightTriangle) return light;
+  const Triangle& t = scene.triangles[light.triangle];
+  const vec3 a = scene.positions[t.v0], b = scene.positions[t.v1], c = scene.positions[t.v2];
+  light.position = (a + b + c) / 3.0f;
+  light.direction = vec3(glm::normalize(glm::cross(glm::dvec3(b - a), glm::dvec3(c - a))));
+  light.isTwoSided = (scene.materials[t.material].flags & kMaterialDoubleSided) != 0;
+  return light;
+}
+
+/// Four texels per light: see lib/light.glsl.
+std::vector<uvec4> packLights(const Scene& scene) {
+  std::vector<uvec4> texels;
+  for (const Light& given : scene.lights) {
+    const Light light = completeLight(scene, given);
+    const auto texel = [](vec3 v, uint w) {
+      return uvec4(std::bit_cast<uint>(v.x), std::bit_cast<uint>(v.y), std::bit_cast<uint>(v.z), w);
+    };
+    texels.push_back(texel(light.position, light.kind));
+    texels.push_back(texel(light.direction, std::bit_cast<uint>(light.power)));
+    texels.push_back(texel(light.emission, std::bit_cast<uint>(light.area)));
+    texels.push_back(uvec4(light.triangle, light.isTwoSided, std::bit_cast<uint>(light.cosInner),
+                           std::bit_cast<uint>(light.cosOuter)));
   }
-  return lights;
+  return texels;
 }
 
 template <class T>
@@ -96,7 +111,7 @@ DeviceScene uploadScene(gpu::Context& context, const Scene& scene, const Bvh& bv
   d.materials = buffer(context, "materials", scene.materials, TexelFormat::uint4);
   d.textures = buffer(context, "textures", packTextures(scene), TexelFormat::uint4);
   d.texels = buffer(context, "texels", scene.texels, TexelFormat::uint1);
-  d.lights = buffer(context, "lights", completeLights(scene));
+  d.lights = buffer(context, "lights", packLights(scene), TexelFormat::uint4);
   d.lightAlias = buffer(context, "light alias table", makeAliasTable(powers));
   d.lightOfTriangle = buffer(context, "light of triangle", scene.lightOfTriangle, TexelFormat::uint1);
   return d;

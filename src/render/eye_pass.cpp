@@ -38,7 +38,7 @@ void lookUp(const Stage& stage, gpu::BindingTable table, const ImportanceMap& im
             uint counter, bool isGlobal) {
   importance.bind(table);
   map.bindFinished(table);
-  overItems(stage, stage.kernels.mapLookup, table, counter, MapLookupPush{counter, isGlobal});
+  overItems(stage, stage.kernels.mapLookup, table, counter, MapLookupPush{counter, isGlobal, map.levelsCounter()});
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ void traceAovs(const Stage& stage, const EyeMaps& maps, uint first, uint count, 
     if (map == nullptr) return;
     importance.bind(table);
     map->bindFinished(table);
-    stage.recorder.dispatch(stage.kernels.aovMap, table, count, AovMapPush{count, isGlobal});
+    stage.recorder.dispatch(stage.kernels.aovMap, table, count, AovMapPush{count, isGlobal, map->levelsCounter()});
   };
   addMap(maps.caustic, maps.importance->caustic, false);
   addMap(maps.global, maps.importance->global, true);

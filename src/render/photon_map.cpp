@@ -50,6 +50,7 @@ void PhotonMap::addBatch(const Stage& stage, const ImportanceMap& importance, De
   table.set(kBindingKeysOut, stage.work.keysA);
   setCounter(stage, kCounterStored, 0, counter(kMapStored));
   setCounter(stage, kCounterRedistributed, 0);
+  setCounter(stage, kCounterLevels, 0);
 
   overItems(stage, kernels.recordSelect, table, kCounterRecords, RecordSelectPush{kCounterRecords, recordMask(kind_)});
   compact(stage, kCounterRecords, kCounterSelected, nullptr, stage.work.selection);
@@ -84,6 +85,7 @@ void PhotonMap::buildStoredGrid(const Stage& stage, bool isFinished) {
   table.set(kBindingPhotonPoints, points_);
   table.set(kBindingPhotonFlux, flux_);
   table.set(kBindingKeysOut, stage.work.keysA);
+  setCounter(stage, kCounterStoredLevels, 0);
   overItems(stage, stage.kernels.photonKey, table, kCounterStored, PhotonKeyPush{isFinished, stored_.slotMask});
   buildGrid(stage, stored_, kCounterStored, points_);
 }
@@ -91,6 +93,7 @@ void PhotonMap::buildStoredGrid(const Stage& stage, bool isFinished) {
 void PhotonMap::finish(const Stage& stage) {
   setCounter(stage, kCounterStored, 0, counter(kMapStored));
   buildStoredGrid(stage, true);
+  setCounter(stage, counter(kMapLevels), 0, kCounterStoredLevels);
   gpu::BindingTable table = stage.work.table;
   table.set(kBindingPhotonPoints, points_);
   table.set(kBindingPhotonFlux, flux_);

@@ -26,6 +26,8 @@ class PhotonMap {
   void addBatch(const Stage& stage, const ImportanceMap& importance, DensityControl control, uint receivers);
   /// Sorts the photons for lookups.
   void finish(const Stage& stage);
+  /// Number of the counter that has the finished map's grid levels.
+  [[nodiscard]] uint levelsCounter() const { return counter(kMapLevels); }
   /// Binds the finished map for map_lookup.
   void bindFinished(gpu::BindingTable& table) const;
   /// Reads what the pass counted, after the device is done with it.
