@@ -11,9 +11,10 @@ SHARED_CONST uint kBvhMaxDepth = 64u;      // nodes on a path from the root at m
 SHARED_CONST uint kBvhIndexBits = 24u;     // of record indices
 SHARED_CONST uint kBvhRecordTexels = 3u;
 
-// BvhNode::kind
+// BvhNode::kind, BvhTriangle::kind
 SHARED_CONST uint kBvhInner = 0u;
 SHARED_CONST uint kBvhLeaf = 0x80000000u;
+SHARED_CONST uint kBvhTurnMask = 3u;  // BvhTriangle: how far its vertices are turned
 
 /// A node. Its children are the records firstChild + 0, 1, … of its slots; their boxes are rounded outwards to a
 /// grid of 256 steps per axis: low = gridOrigin + byte · 2^(exponent - 127). Byte s of a word belongs to slot s.
@@ -31,14 +32,16 @@ struct BvhNode {
   uint kind;           // kBvhInner
 };
 
-/// A triangle as a record in the same array. A leaf with several is a chain.
+/// A triangle as a record in the same array. A leaf with several is a chain. Its vertices are turned so that v0 is
+/// opposite the longest edge, which makes the plane that they span most exact: v0 is vertex `turn` of the triangle
+/// in the scene, v1 the one after it, cyclically.
 struct BvhTriangle {
   vec3 v0;        // m, render space
   uint triangle;  // index into the scene's triangles
   vec3 v1;
   uint next;      // record of the leaf's next triangle; 0: the last one
   vec3 v2;
-  uint kind;      // kBvhLeaf
+  uint kind;      // kBvhLeaf | turn
 };
 
 SHARED_END

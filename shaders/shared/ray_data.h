@@ -21,5 +21,10 @@ struct Hit {
   uint triangle;   // index into the scene's triangles; kNone: nothing hit
 };
 
+// Counters that kernels/trace.comp keeps among the others; 0 at first.
+SHARED_CONST uint kCounterTraceTaken = 60u;       // rays of the queue that were taken; 0 again after a dispatch
+SHARED_CONST uint kCounterTraceLeft = 61u;        // invocations that are done; 0 again after a dispatch
+SHARED_CONST uint kCounterTraceUnfinished = 62u;  // rays given up so far because the device ends long loops
+
 SHARED_END
 #endif

@@ -1,6 +1,9 @@
 /// A bounding volume hierarchy over triangles, built on the CPU, in the compact layout that the traversal
 /// kernel reads (shaders/shared/bvh_data.h).
 #pragma once
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -11,18 +14,28 @@
 namespace importon {
 
 struct BvhOptions {
-  int threads = 0;  // 0: all
-  std::function<void(double fraction)> progress;  // called now and then from one thread; may be empty
+  int threads = 0;                                // 0: all
+  std::function<void(double fraction)> progress;  // called now and then from the calling thread; may be empty
 };
 
-/// Nodes and triangles in traversal order.
+/// A BvhNode or a BvhTriangle: 48 bytes, three texels.
+using BvhRecord = std::array<std::uint32_t, 12>;
+static_assert(sizeof(BvhNode) == sizeof(BvhRecord) && sizeof(BvhTriangle) == sizeof(BvhRecord));
+
+[[nodiscard]] inline bool isLeaf(const BvhRecord& record) { return (record[11] & kBvhLeaf) != 0; }
+[[nodiscard]] inline BvhNode asNode(const BvhRecord& record) { return std::bit_cast<BvhNode>(record); }
+[[nodiscard]] inline BvhTriangle asTriangle(const BvhRecord& record) {
+  return std::bit_cast<BvhTriangle>(record);
+}
+
 struct Bvh {
-  std::vector<BvhNode> nodes;          // root first; never empty
-  std::vector<BvhTriangle> triangles;  // grouped by leaf; each knows its index in Scene::triangles
+  std::vector<BvhRecord> nodes;  // nodes and triangles alike; the root first
 };
 
-/// Builds over all triangles; those without area must have been dropped. Deterministic whatever the number
-/// of threads. Positions must be finite.
+/// Builds over all triangles; those without area must have been dropped. Positions must be finite.
+/// Deterministic whatever the number of threads. Where more than a few dozen triangles have the very same
+/// vertices, only the one with the smallest index is kept there. Throws SceneError when there are more
+/// triangles than record indices allow (about 12 million).
 [[nodiscard]] Bvh buildBvh(std::span<const vec3> positions, std::span<const Triangle> triangles,
                            const BvhOptions& options = {});
 

@@ -1,0 +1,65 @@
+/// A binary tree of boxes over primitives, built top-down with binned surface area heuristic.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "accel/box.h"
+#include "accel/build_progress.h"
+#include "shared/bvh_data.h"
+
+namespace importon {
+
+/// A primitive's box; its index, in triangles, stands in the bits of lo[3].
+using PrimitiveBox = Box;
+[[nodiscard]] inline std::uint32_t primitiveIndex(const PrimitiveBox& box) {
+  std::uint32_t index;
+  const float bits = box.lo[3];
+  std::memcpy(&index, &bits, sizeof index);
+  return index;
+}
+inline void setPrimitiveIndex(PrimitiveBox& box, std::uint32_t index) {
+  float bits;
+  std::memcpy(&bits, &index, sizeof bits);
+  box.lo[3] = bits;
+}
+
+/// Nodes lie in depth-first order with gaps: the left child of node i is i + 1, the right child
+/// i + 2·(primitives of the left child). So indices don't depend on the order in which threads build.
+struct BinaryNode {
+  float lo[3];
+  std::uint32_t first;  // position of its first primitive in BinaryTree::order
+  float hi[3];
+  std::uint32_t count : 31;  // primitives below
+  std::uint32_t isLeaf : 1;
+
+  [[nodiscard]] float halfArea() const {
+    const float x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
+    return x * y + (x + y) * z;
+  }
+};
+static_assert(sizeof(BinaryNode) == 32);
+
+struct BinaryTree {
+  std::unique_ptr<BinaryNode[]> nodes;  // 2·primitives, of which the gaps are not initialised
+  std::vector<std::uint32_t> order;     // primitive indices, each once; a node's are contiguous
+  std::uint32_t coincident = 0;         // most primitives whose boxes all have the same centre
+
+  [[nodiscard]] static std::uint32_t leftChild(std::uint32_t node) { return node + 1; }
+  [[nodiscard]] std::uint32_t rightChild(std::uint32_t node) const { return node + 2 * nodes[node + 1].count; }
+};
+
+struct BinaryTreeOptions {
+  std::uint32_t maxLeafPrimitives = 4;
+  float traversalCost = 1.0f;     // of a step through a binary node, in units of
+  float intersectionCost = 1.0f;  // a primitive's test
+};
+
+/// Builds over `boxes` (at least one), which are used up as working memory. The same tree whatever the number
+/// of threads of the calling TBB arena. No path is longer than kBvhMaxDepth nodes. [Wald 2007, On fast
+/// construction of SAH-based bounding volume hierarchies]
+[[nodiscard]] BinaryTree buildBinaryTree(std::vector<PrimitiveBox>& boxes, const BinaryTreeOptions& options,
+                                         BuildProgress& progress);
+
+}  // namespace importon
