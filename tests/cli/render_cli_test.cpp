@@ -139,7 +139,7 @@ TEST(CliRender, EndsAtOnceOnTheSecondInterrupt) {
     return SIGINT;
   };
   const Outcome outcome =
-      runImporton(smallRender(folder / "o.exr", {"--passes", "1000000", "--photons", "4000000"}),
+      runImporton(smallRender(folder / "o.exr", {"--passes", "1000000", "--photons", "300000"}),
                   {.hasTerminal = true, .onErr = onErr});
   EXPECT_EQ(sent, 2);
   // Whichever comes first: the signal, or the end of the pass.
