@@ -1,84 +1,8 @@
 #version 460
 // Traces the rays of a queue: the nearest hit of each, or whether anything is in its way.
-//
-// An invocation traces one ray after the other, so that the lanes of a SIMD group stay busy although rays differ in
-// length: every few steps, those that are done take the next rays of the queue. Any number of invocations does; those
-// that aren't needed leave at once.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-#include "bindings/scene.glsl"
-#include "lib/alpha.glsl"
-#include "shared/push_data.h"
 
-layout(constant_id = kSpecAnyHit) const bool kIsAnyHit = false;
-layout(constant_id = kSpecHasAlpha) const bool kHasAlpha = false;
+bool acceptHit(uint triangle, vec2 barycentrics, uint rayId) { return true; }
 
-layout(binding = kBindingBvhNodes) uniform usamplerBuffer bvhNodes;
-layout(binding = kBindingRayTexels) uniform usamplerBuffer rayTexels;
-layout(scalar, binding = kBindingHits) writeonly buffer HitsBlock { Hit hits[]; };
-layout(scalar, binding = kBindingQueue) readonly buffer QueueBlock { uint queue[]; };
-layout(push_constant, scalar) uniform PushBlock { TracePush push; };
-
-uvec4 bvhNodeTexel(uint index) { return texelFetch(bvhNodes, int(index)); }
-
-bool acceptHit(uint triangle, vec2 barycentrics, uint rayId) {
-  return !kHasAlpha || isCovered(triangle, barycentrics, rayId);
-}
-
-#include "lib/traverse.glsl"
-
-const uint kRaysPerInvocation = 32u;   // of a long queue
-const uint kFewInvocations = 2048u;    // a short queue is spread over as many
-const uint kStepsPerTurn = 3u;
-// Lavapipe ends all loops of an invocation after 65535 iterations in total, a turn being kStepsPerTurn + 1 of them.
-// New rays are taken up to half of that; a ray that is not done by the end is counted in kCounterTraceUnfinished.
-const uint kMaxTurns = 16000u;
-
-uint invocationsNeeded(uint rays) {
-  return max((rays + kRaysPerInvocation - 1u) / kRaysPerInvocation, min(rays, kFewInvocations));
-}
-
-void main() {
-  const uint count = counters[push.source];
-  const uint invocations = min(invocationsNeeded(count),
-                               gl_NumWorkGroups.x * gl_NumWorkGroups.y * gl_WorkGroupSize.x);
-  if (invocationIndex() >= invocations) return;
-  Traversal traversal;
-  traversal.hit = Hit(0.0, 0.0, 0.0, kNone);
-  traversal.hitKind = kBvhLeaf;
-  uint slot = kNone;
-  uint turn = 0u;
-  bool isOver = true;
-  do {
-    if (isOver) {
-      if (slot != kNone) hits[slot] = traversalHit(traversal);
-      slot = kNone;
-      const uint next = turn < kMaxTurns / 2u ? atomicAdd(counters[kCounterTraceTaken], 1u) : count;
-      if (next < count) {
-        slot = queue[next];
-        const uvec4 a = texelFetch(rayTexels, int(2u * slot)), b = texelFetch(rayTexels, int(2u * slot + 1u));
-        setRay(traversal, uintBitsToFloat(a.xyz), uintBitsToFloat(b.xyz), uintBitsToFloat(a.w), b.w);
-        isOver = false;
-      }
-    }
-    if (slot != kNone) {
-      uint left = kStepsPerTurn;
-      do {
-        isOver = stepTraversal(traversal, kIsAnyHit);
-        --left;
-      } while (!isOver && left > 0u);
-    }
-    ++turn;
-  } while (slot != kNone && turn < kMaxTurns);
-
-  if (slot != kNone) {
-    hits[slot] = traversalHit(traversal);
-    if (!isOver) atomicAdd(counters[kCounterTraceUnfinished], 1u);
-  }
-  // The last one leaves the counters ready for the next dispatch.
-  if (atomicAdd(counters[kCounterTraceLeft], 1u) + 1u == invocations) {
-    const uint taken = atomicExchange(counters[kCounterTraceTaken], 0u);
-    atomicExchange(counters[kCounterTraceLeft], 0u);
-    if (taken < count) atomicAdd(counters[kCounterTraceUnfinished], count - taken);
-  }
-}
+#include "bindings/trace.glsl"

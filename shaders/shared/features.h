@@ -8,7 +8,6 @@ SHARED_BEGIN
 SHARED_CONST uint kSpecWorkgroupSize = 0u;
 // The traversal kernel.
 SHARED_CONST uint kSpecAnyHit = 1u;
-SHARED_CONST uint kSpecHasAlpha = 2u;
 // The scene.
 SHARED_CONST uint kSpecHasTextures = 3u;
 SHARED_CONST uint kSpecHasNormalMaps = 4u;

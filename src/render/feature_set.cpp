@@ -60,8 +60,7 @@ FeatureSet findFeatures(const Scene& scene, const RenderJob& job) {
 }
 
 std::vector<gpu::Specialization> specializations(const FeatureSet& f) {
-  return {{kSpecHasAlpha, f.hasAlpha},
-          {kSpecHasTextures, f.hasTextures},
+  return {{kSpecHasTextures, f.hasTextures},
           {kSpecHasNormalMaps, f.hasNormalMaps},
           {kSpecHasVertexColors, f.hasVertexColors},
           {kSpecHasReflection, f.hasReflection},

@@ -15,14 +15,15 @@ struct Entry {
   std::vector<gpu::Specialization> extra;
 };
 
-std::vector<Entry> listCommon(KernelSet& k, Integrator integrator) {
+std::vector<Entry> listCommon(KernelSet& k, Integrator integrator, bool hasAlpha) {
+  const char* trace = hasAlpha ? "trace_alpha" : "trace";
   const uint mode = integrator == Integrator::path ? kEyePath : kEyeImage;
   return {{&k.setCounter, "set counter", "set_counter", {}},
           {&k.compactCount, "compact count", "compact_count", {}},
           {&k.scan, "scan", "scan", {{kSpecWorkgroupSize, kScanThreads}}},
           {&k.compactScatter, "compact scatter", "compact_scatter", {}},
-          {&k.traceClosest, "trace closest", "trace", {{kSpecAnyHit, 0}}},
-          {&k.traceShadow, "trace shadow", "trace", {{kSpecAnyHit, 1}}},
+          {&k.traceClosest, "trace closest", trace, {{kSpecAnyHit, 0}}},
+          {&k.traceShadow, "trace shadow", trace, {{kSpecAnyHit, 1}}},
           {&k.eyeEmit, "camera rays", "eye_emit", {{kSpecEyeMode, mode}}},
           {&k.eyeScatter, "shade camera path", "eye_scatter", {{kSpecEyeMode, mode}}},
           {&k.eyeLight, "add direct light", "eye_light", {}},
@@ -62,7 +63,7 @@ std::vector<Entry> listMaps(KernelSet& k) {
 
 KernelSet makeKernels(gpu::Context& context, const FeatureSet& features, Integrator integrator, int threads) {
   KernelSet set;
-  std::vector<Entry> entries = listCommon(set, integrator);
+  std::vector<Entry> entries = listCommon(set, integrator, features.hasAlpha);
   if (integrator == Integrator::photon) {
     for (Entry& entry : listMaps(set)) entries.push_back(std::move(entry));
   }
