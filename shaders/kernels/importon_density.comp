@@ -1,5 +1,5 @@
 #version 460
-// Importance at each importon from its M nearest: Γ = Σ Ψ / (π r_M²) over the M-1 inner ones, which removes the
+// Importance at importons from its M nearest: Γ = Σ Ψ / (π r_M²) over the M-1 inner ones, which removes the
 // bias M/(M-1) of counting the one that sets the radius. [Suykens, talk; METHOD]
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/selection.glsl"
@@ -60,8 +60,9 @@ float importanceWithin(inout Walk walk, vec3 normal, float radius, float limit) 
 }
 
 void main() {
-  const uint i = invocationIndex();
-  if (i >= counters[kCounterSelected]) return;
+  const uint site = invocationIndex();
+  if (site >= counters[kCounterSites]) return;
+  const uint i = site * kImportonsPerSite;
   const MapPoint point = recordPoints[selection[i]];
   const vec3 normal = mapPointNormal(point.packed);
   const GridFrame frame = storedFrame();
@@ -79,5 +80,5 @@ void main() {
     isFound = narrow(walk, normal, radius, low, high, inner);
     if (isFound) narrow(walk, normal, radius, low, high, inner);
   }
-  required[i] = importanceWithin(walk, normal, radius, high);
+  required[site] = importanceWithin(walk, normal, radius, high);
 }

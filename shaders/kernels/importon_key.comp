@@ -1,5 +1,5 @@
 #version 460
-// Cells of the finished importance map: each importon at the level where a cell holds about ten.
+// Cells of the finished importance map: each site at the level where a cell holds about ten.
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/selection.glsl"
 #include "lib/grid.glsl"
@@ -10,10 +10,10 @@ layout(push_constant, scalar) uniform PushBlock { ImportonKeyPush push; };
 
 void main() {
   const uint i = invocationIndex();
-  if (i >= counters[kCounterSelected]) return;
+  if (i >= counters[kCounterSites]) return;
   const GridFrame frame = GridFrame(params.gridOrigin, params.gridExtent, push.slotMask);
-  const float density = required[i] / params.importonFlux;  // importons/m²
-  MapPoint point = recordPoints[selection[i]];
+  const float density = required[i] / (params.importonFlux * float(kImportonsPerSite));  // sites/m²
+  MapPoint point = recordPoints[selection[i * kImportonsPerSite]];
   const uint level = gridLevel(frame, inversesqrt(max(density, 1e-30)));
   point.packed = withMapPointLevel(point.packed, level);
   selectedPoints[i] = point;

@@ -8,5 +8,5 @@ layout(scalar, binding = kBindingWeightsOut) writeonly buffer ImportanceBlock { 
 
 void main() {
   const uint i = invocationIndex();
-  if (i < counters[kCounterSelected]) importance[i] = required[order[i]];
+  if (i < counters[kCounterSites]) importance[i] = required[order[i]];
 }

@@ -42,7 +42,7 @@ vec3 reflectedRadiance(Surface s, vec3 direction, float radius) {
 
 void main() {
   const uint i = invocationIndex();
-  if (i >= counters[push.source]) return;
+  if (i >= counters[push.source] || counters[push.levels] == 0u) return;
   const uint slot = queue[i];
   const uint flags = paths[slot].flags;
   if ((flags & kPathLookup) == 0u || ((flags & kPathLookupGlobal) != 0u) != (push.isGlobal != 0u)) return;

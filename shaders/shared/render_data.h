@@ -73,6 +73,9 @@ SHARED_CONST uint kPathDeep = 0x1000u;       // has gone on after its first gath
 SHARED_CONST uint kPathShadowDeep = 0x2000u; // its shadow ray counts as indirect light
 SHARED_CONST uint kPathLookupDeep = 0x4000u; // its map lookup counts as indirect light
 
+/// Importance is estimated at every so-manieth importon, from all of them.
+SHARED_CONST uint kImportonsPerSite = 4u;
+
 /// What a path brought to its pixel in this pass, W/(m² sr); direct and caustic with their modulation, indirect
 /// with it too, and the modulation apart.
 struct PathLight {
@@ -164,6 +167,7 @@ SHARED_CONST uint kCounterRaysClosest = 9u;   // rays traced in this pass
 SHARED_CONST uint kCounterRaysShadow = 10u;
 SHARED_CONST uint kCounterLevels = 11u;       // grid levels of the importons or the batch at work, a bit each
 SHARED_CONST uint kCounterRedistributed = 12u;  // hits of the map at work that gave their power away
+SHARED_CONST uint kCounterSites = 15u;         // importons at which importance is estimated
 SHARED_CONST uint kCounterStoredLevels = 14u;   // grid levels of the stored photons at work, a bit each
 SHARED_CONST uint kCounterAccepted = 13u;       // hits accepted now
 // What each map keeps between batches: kCounterMap + kCountersPerMap · (0 caustic, 1 global) + which.

@@ -14,8 +14,18 @@ bool reflects(const Material& m) {
   return m.metallic > 0 || m.specular > 0 || m.transmission > 0 || m.metallicRoughnessTexture != kNone;
 }
 
-bool mayBeSmooth(const Material& m) {
-  return reflects(m) && (m.roughness < kSmoothRoughness || m.metallicRoughnessTexture != kNone);
+/// Least value of the roughness channel (green) of a texture.
+float leastRoughness(const Scene& scene, uint texture) {
+  if (texture == kNone) return 1;
+  const Texture& t = scene.textures[texture];
+  uint least = 255;
+  for (std::size_t i = 0; i < std::size_t{t.width} * t.height; ++i)
+    least = std::min(least, (scene.texels[t.firstTexel + i] >> 8) & 255u);
+  return static_cast<float>(least) / 255.0f;
+}
+
+bool mayBeSmooth(const Scene& scene, const Material& m) {
+  return reflects(m) && m.roughness * leastRoughness(scene, m.metallicRoughnessTexture) < kSmoothRoughness;
 }
 
 bool usesTextures(const Material& m) {
@@ -43,7 +53,7 @@ FeatureSet findFeatures(const Scene& scene, const RenderJob& job) {
     f.hasTransmission = f.hasTransmission || m.transmission > 0;
     f.hasMedia = f.hasMedia || ((m.flags & kMaterialSolid) != 0 && m.transmission > 0 &&
                                 glm::any(glm::greaterThan(m.absorption, vec3(0))));
-    f.needsCausticMap = f.needsCausticMap || mayBeSmooth(m);
+    f.needsCausticMap = f.needsCausticMap || mayBeSmooth(scene, m);
   }
   for (const Light& light : scene.lights) {
     f.hasTriangleLights = f.hasTriangleLights || light.kind == kLightTriangle;

@@ -38,7 +38,7 @@ uint selectImportons(const Stage& stage, MapKind kind, const PointGrid& counts, 
   return readCounter(stage, kCounterLevels);
 }
 
-/// Importance at each selected importon, into work.required.
+/// Importance at each site among the selected importons, into work.required.
 void estimateImportance(const Stage& stage, uint levels, uint count, uint nearest) {
   const std::uint64_t entries = std::uint64_t{count} * static_cast<uint>(std::popcount(levels));
   PointGrid grid(stage.gpu, "importon entries", std::max<std::uint64_t>(entries, 1));
@@ -56,7 +56,7 @@ void estimateImportance(const Stage& stage, uint levels, uint count, uint neares
   overItems(stage, stage.kernels.importonPoints, table, kCounterEntries, ImportonPointsPush{levels});
   bindStored(table, grid);
   table.set(kBindingWeights, weights);
-  overItems(stage, stage.kernels.importonDensity, table, kCounterSelected, ImportonDensityPush{levels, nearest});
+  overItems(stage, stage.kernels.importonDensity, table, kCounterSites, ImportonDensityPush{levels, nearest});
   stage.recorder.submitAndWait();  // before the entries go
 }
 
@@ -67,15 +67,17 @@ void buildMap(const Stage& stage, ImportanceMap& map, MapKind kind, uint nearest
     stage.recorder.fill(map.grid.cells, 0);
     return;
   }
+  const uint sites = static_cast<uint>((map.count + kImportonsPerSite - 1) / kImportonsPerSite);
+  setCounter(stage, kCounterSites, sites);
   estimateImportance(stage, map.levels, static_cast<uint>(map.count), nearest);
   setCounter(stage, kCounterLevels, 0);
   gpu::BindingTable table = stage.work.table;
   table.set(kBindingKeysOut, stage.work.keysA);
-  overItems(stage, stage.kernels.importonKey, table, kCounterSelected, ImportonKeyPush{map.grid.slotMask});
-  buildGrid(stage, map.grid, kCounterSelected, stage.work.selectedPoints);
+  overItems(stage, stage.kernels.importonKey, table, kCounterSites, ImportonKeyPush{map.grid.slotMask});
+  buildGrid(stage, map.grid, kCounterSites, stage.work.selectedPoints);
   table.set(kBindingValuesIn, map.grid.order);
   table.set(kBindingWeightsOut, map.importance);
-  stage.recorder.dispatch(stage.kernels.importonResolve, table, map.count);
+  stage.recorder.dispatch(stage.kernels.importonResolve, table, sites);
   stage.recorder.submitAndWait();
   map.levels = readCounter(stage, kCounterLevels);
 }

@@ -11,12 +11,12 @@ enum class MapKind { caustic, global };
   return kind == MapKind::caustic ? kRecordCaustic : kRecordGlobal;
 }
 
-/// Importons in cells, with importance Γ (pixels/m²) at each.
+/// Every so-manieth importon (kImportonsPerSite) in cells, with importance Γ (pixels/m²) from all of them at each.
 struct ImportanceMap {
   PointGrid grid;
-  gpu::Buffer importance;  // float per importon, in cell order
+  gpu::Buffer importance;  // float per site, in cell order
   uint levels = 0;         // grid levels in use, a bit each
-  std::uint64_t count = 0;
+  std::uint64_t count = 0;  // importons
 
   void bind(gpu::BindingTable& table) const;
 };
