@@ -1,7 +1,10 @@
 // To add a struct of shaders/shared: one IMPORTON_LAYOUT line with its name and all its members in order. A
 // struct that lies in a buffer or in push constants of a shipped kernel and is not here fails the layout test.
 #include "gpu/layout.h"
+#include "shared/bvh_data.h"
+#include "shared/push_data.h"
 #include "shared/ray_data.h"
+#include "shared/render_data.h"
 #include "shared/scene_data.h"
 
 namespace importon::test {
@@ -23,6 +26,59 @@ std::vector<HostLayout> hostLayouts() {
       // shared/ray_data.h
       IMPORTON_LAYOUT(Ray, origin, tMax, direction, id),
       IMPORTON_LAYOUT(Hit, t, u, v, triangle),
+      // shared/bvh_data.h
+      IMPORTON_LAYOUT(BvhNode, gridOrigin, gridExponents, lowX, highX, lowY, highY, lowZ, highZ, firstChild,
+                      kind),
+      IMPORTON_LAYOUT(BvhTriangle, v0, triangle, v1, next, v2, kind),
+      // shared/render_data.h
+      IMPORTON_LAYOUT(MapSettings, photonsPerPixel, constantDensity, densityFloor, importonLevels,
+                      recordMask),
+      IMPORTON_LAYOUT(Parameters, cameraOrigin, cameraIsOrthographic, cameraForward, width, cameraRight,
+                      height, cameraUp, seed, gridOrigin, gridExtent, sceneCentre, sceneRadius,
+                      environmentRadiance, environmentLight, lightCount, totalPower, pass, maxDepth,
+                      fluxScale, lookupPhotons, quotaPhotons, photonsPerPass, densityScale, cameraMedium,
+                      importonFlux, causticMap, globalMap),
+      IMPORTON_LAYOUT(LightAlias, threshold, other, probability),
+      IMPORTON_LAYOUT(PathState, throughput, flags, id, medium, pdfSolidAngle, lightWeight, distance),
+      IMPORTON_LAYOUT(PathLight, direct, caustic, indirect, modulation, position, normal, gathers),
+      IMPORTON_LAYOUT(FilmPixel, direct, caustic, indirect, irradiance, modulation, position, normal,
+                      gathers, square),
+      IMPORTON_LAYOUT(EyeVertex, position, radius, throughput, triangle, direction, u, v),
+      IMPORTON_LAYOUT(MapPoint, position, packed),
+      IMPORTON_LAYOUT(Record, flux, kind),
+      IMPORTON_LAYOUT(DispatchArguments, items, tiles),
+      // shared/push_data.h
+      IMPORTON_LAYOUT(CompactCountPush, source),
+      IMPORTON_LAYOUT(CompactScatterPush, source, takesIndex),
+      IMPORTON_LAYOUT(EyeEmitPush, first, count, total, isCentred),
+      IMPORTON_LAYOUT(EyeLightPush, source),
+      IMPORTON_LAYOUT(EyeScatterPush, source, knowsImportance),
+      IMPORTON_LAYOUT(FluxSumPush, isMap, source),
+      IMPORTON_LAYOUT(GridCellsPush, source, slotMask),
+      IMPORTON_LAYOUT(GridPointsPush, source),
+      IMPORTON_LAYOUT(HitKeyPush, isGlobal, slotMask, isControlled),
+      IMPORTON_LAYOUT(ImportonCountPush, slotMask),
+      IMPORTON_LAYOUT(ImportonDensityPush, levels, nearest),
+      IMPORTON_LAYOUT(ImportonEntriesPush, slotMask, levels),
+      IMPORTON_LAYOUT(ImportonKeyPush, slotMask),
+      IMPORTON_LAYOUT(ImportonLevelPush, slotMask, nearest),
+      IMPORTON_LAYOUT(ImportonPointsPush, levels),
+      IMPORTON_LAYOUT(MapLookupPush, source, isGlobal, levels),
+      IMPORTON_LAYOUT(PhotonEmitPush, firstPhoton, count),
+      IMPORTON_LAYOUT(PhotonKeyPush, levelShift, slotMask),
+      IMPORTON_LAYOUT(PhotonQuotaPush, isBatch, hasStored),
+      IMPORTON_LAYOUT(PhotonRedistributePush, receivers),
+      IMPORTON_LAYOUT(PhotonScatterPush, source),
+      IMPORTON_LAYOUT(PhotonStorePush, capacity),
+      IMPORTON_LAYOUT(RecordSelectPush, source, mask),
+      IMPORTON_LAYOUT(ScanPush, source, perTile, target, accumulate),
+      IMPORTON_LAYOUT(SetCounterPush, counter, value, a, b, limit),
+      IMPORTON_LAYOUT(SortCountPush, source, shift),
+      IMPORTON_LAYOUT(SortScatterPush, source, shift, isFirst),
+      IMPORTON_LAYOUT(FilmAddPush, count, offset),
+      IMPORTON_LAYOUT(AovSurfacePush, count),
+      IMPORTON_LAYOUT(AovMapPush, count, isGlobal, levels),
+      IMPORTON_LAYOUT(TracePush, source),
   };
 }
 

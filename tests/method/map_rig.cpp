@@ -1,0 +1,52 @@
+#include "method/map_rig.h"
+
+#include <algorithm>
+
+#include "shared/bindings.h"
+
+namespace importon::test {
+
+MapRig::MapRig(gpu::Context& context, const Scene& scene, const RenderJob& job)
+    : features_(findFeatures(scene, job)), context_(context) {
+  const glm::ivec2 size = chooseSize(chooseCamera(scene, job), job);
+  kernels_ = makeKernels(context, features_, job.integrator, job.threads);
+  deviceScene_ = uploadScene(context, scene, buildBvh(scene.positions, scene.triangles));
+  plan = planPasses(job, size, context.limits());
+  parameters = makeParameters(job, scene, plan, size);
+  work_.emplace(context, plan.workspace);
+  deviceScene_.bind(work_->table);
+  recorder_.emplace(context);
+  stage_.emplace(Stage{context, *recorder_, kernels_, *work_});
+  importance = makeImportanceMaps(context, plan.importons * (std::uint64_t{parameters.maxDepth} + 1));
+}
+
+void MapRig::findImportance() {
+  buildImportance(*stage_, parameters, importance, plan.importons, plan.nearestImportons, features_.needsCausticMap);
+}
+
+ImportonsFound MapRig::importons(MapKind kind) const {
+  const ImportanceMap& map = kind == MapKind::caustic ? importance.caustic : importance.global;
+  return {map.grid.points.download<MapPoint>(map.count), map.importance.download<float>(map.count)};
+}
+
+PhotonMap MapRig::shoot(MapKind kind, DensityControl control, uint receivers, std::uint64_t capacity) {
+  PhotonMap map(context_, kind, capacity != 0 ? capacity : plan.mapCapacity, plan.workspace.records);
+  work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
+  recorder_->fill(work_->counters, 0);
+  map.begin(*stage_);
+  for (std::uint32_t first = 0; first < plan.photons; first += plan.batch) {
+    tracePhotons(*stage_, first, std::min(plan.batch, plan.photons - first), parameters.maxDepth);
+    map.addBatch(*stage_, kind == MapKind::caustic ? importance.caustic : importance.global, control, receivers);
+  }
+  map.finish(*stage_);
+  recorder_->submitAndWait();
+  return map;
+}
+
+std::vector<MapPoint> MapRig::photons(const PhotonMap& map) const {
+  gpu::BindingTable table;
+  map.bindFinished(table);
+  return table.get(kBindingStoredPoints)->download<MapPoint>(counts(map).stored);
+}
+
+}  // namespace importon::test

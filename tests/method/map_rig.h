@@ -1,0 +1,47 @@
+/// A scene on the device with all that its photon maps need, for tests that look into the maps.
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "render/device_scene.h"
+#include "render/importance.h"
+#include "render/pass_plan.h"
+#include "render/photon_map.h"
+#include "render/photon_pass.h"
+
+namespace importon::test {
+
+/// Importons as they stand in an importance map.
+struct ImportonsFound {
+  std::vector<MapPoint> points;
+  std::vector<float> importance;  // pixels/m², at each
+};
+
+class MapRig {
+ public:
+  MapRig(gpu::Context& context, const Scene& scene, const RenderJob& job);
+
+  Parameters parameters;  // may be changed between steps
+  PassPlan plan;
+  ImportanceMaps importance;
+
+  void findImportance();
+  [[nodiscard]] ImportonsFound importons(MapKind kind) const;
+  /// Shoots the plan's photons into a map of `capacity` photons (0: the plan's).
+  [[nodiscard]] PhotonMap shoot(MapKind kind, DensityControl control, uint receivers, std::uint64_t capacity = 0);
+  [[nodiscard]] PhotonMapCounts counts(const PhotonMap& map) const { return map.readCounts(*stage_, parameters.fluxScale); }
+  /// The photons of a finished map, render space.
+  [[nodiscard]] std::vector<MapPoint> photons(const PhotonMap& map) const;
+
+ private:
+  FeatureSet features_;
+  gpu::Context& context_;
+  KernelSet kernels_;
+  DeviceScene deviceScene_;
+  std::optional<Workspace> work_;
+  std::optional<gpu::Recorder> recorder_;
+  std::optional<Stage> stage_;
+};
+
+}  // namespace importon::test
