@@ -12,7 +12,7 @@ layout(push_constant, scalar) uniform PushBlock { AovMapPush push; };
 /// Photons per m² within the lookup radius.
 float storedDensity(vec3 position, vec3 normal, float radius) {
   uint count = 0u;
-  Walk walk = beginWalk(storedFrame(), counters[push.levels], position, normal, radius);
+  Walk walk = beginWalk(storedFrame(), counters[push.levels], position, normal, radius, radius);
   while (nextPoint(walk))
     if (isInside(walk, normal, radius) && hasLikeNormal(walk.packed, normal, kLikeNormal)) ++count;
   return float(count) / (kPi * radius * radius);

@@ -31,7 +31,7 @@ vec3 reflectedRadiance(Surface s, vec3 direction, float radius) {
   const vec3 wo = -direction * frame;
   const Bsdf b = makeBsdf(s, wo.z);
   vec3 sum = vec3(0.0);
-  Walk walk = beginWalk(storedFrame(), counters[push.levels], s.position, s.geometricNormal, radius);
+  Walk walk = beginWalk(storedFrame(), counters[push.levels], s.position, s.geometricNormal, radius, radius);
   bool isDone = false;
   while (!isDone) {
     const uint count = collectFound(walk, s.geometricNormal, radius, isDone);

@@ -11,6 +11,16 @@ layout(scalar, binding = kBindingValuesIn) readonly buffer OrderBlock { uint bat
 layout(scalar, binding = kBindingNeighbours) buffer NeighboursBlock { uint neighbours[]; };
 layout(push_constant, scalar) uniform PushBlock { PhotonQuotaPush push; };
 
+/// Counts from where the walk stands, up to the quota.
+uint countNeighbours(Walk walk, vec3 normal, float radius, uint quota, uint i, uint count) {
+  while (count < quota && nextPoint(walk)) {
+    if (!isInside(walk, normal, radius)) continue;
+    if (push.isBatch != 0u && texelFetch(storedOrder, int(walk.index)).x >= i) skipRange(walk);  // later hits follow
+    else if (hasLikeNormal(walk.packed, normal, kLikeNormal)) ++count;
+  }
+  return count;
+}
+
 void main() {
   const uint j = invocationIndex();
   if (j >= counters[kCounterSelected]) return;
@@ -19,14 +29,13 @@ void main() {
   const vec3 normal = mapPointNormal(point.packed);
   const float radius = quotaRadius(required[i]);
   const uint quota = uint(params.quotaPhotons);
-  uint count = push.isBatch != 0u && push.hasStored != 0u ? neighbours[i] : 0u;
+  const uint before = push.isBatch != 0u && push.hasStored != 0u ? neighbours[i] : 0u;
   const uint levels = counters[push.isBatch != 0u ? kCounterLevels : kCounterStoredLevels];
-  Walk walk = beginWalk(storedFrame(), levels, point.position, normal, radius);
-  while (count < quota && nextPoint(walk)) {
-    if (!isInside(walk, normal, radius)) continue;
-    if (push.isBatch != 0u && texelFetch(storedOrder, int(walk.index)).x >= i) skipRange(walk);  // later hits follow
-    else if (hasLikeNormal(walk.packed, normal, kLikeNormal)) ++count;
-  }
+  const GridFrame frame = storedFrame();
+  // Where light is plentiful the own cell is enough to reject.
+  uint count = countNeighbours(beginWalkCell(frame, point.position, mapPointLevel(point.packed)), normal, radius, quota, i, before);
+  if (count < quota)
+    count = countNeighbours(beginWalk(frame, levels, point.position, normal, radius, radius), normal, radius, quota, i, before);
   neighbours[i] = count;
   keep[i] = uint(count < quota);
 }

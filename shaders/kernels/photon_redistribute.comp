@@ -27,11 +27,9 @@ uint insertReceiver(uint count, uint photon, float d2) {
   return min(count + 1u, push.receivers);
 }
 
-uint findReceivers(MapPoint point, float radius) {
-  const vec3 normal = mapPointNormal(point.packed);
+/// Keeps the receivers among the points of the walk that lie within `radius`.
+uint takeReceivers(Walk walk, GridFrame frame, vec3 normal, float radius) {
   uint count = 0u;
-  const GridFrame frame = storedFrame();
-  Walk walk = beginWalk(frame, counters[kCounterStoredLevels], point.position, normal, radius);
   while (nextPoint(walk)) {
     // Three eighths of its cell's edge are at most the receiver's quota radius.
     const float own = min(radius, 0.375 * gridCellEdge(frame, walk.level));
@@ -39,6 +37,16 @@ uint findReceivers(MapPoint point, float radius) {
       count = insertReceiver(count, texelFetch(storedOrder, int(walk.index)).x, dot(walk.offset, walk.offset));
   }
   return count;
+}
+
+uint findReceivers(MapPoint point, float radius) {
+  const vec3 normal = mapPointNormal(point.packed);
+  const GridFrame frame = storedFrame();
+  // Those of the own cell tell how far the nearest ones can be.
+  const uint near = takeReceivers(beginWalkCell(frame, point.position, mapPointLevel(point.packed)), frame, normal, radius);
+  const float reach = near == push.receivers ? min(radius, sqrt(distances[near - 1u]) * 1.0001) : radius;
+  return takeReceivers(beginWalk(frame, counters[kCounterStoredLevels], point.position, normal, reach, radius), frame,
+                       normal, reach);
 }
 
 void main() {

@@ -1,6 +1,6 @@
 // Searches a grid in steps that keep the lanes of a SIMD unit together: first the ranges of points in all cells that
 // the search touches, then a walk over the points of all ranges, one after the other:
-//   Walk walk = beginWalk(frame, levels, centre, normal, radius);
+//   Walk walk = beginWalk(frame, levels, centre, normal, radius, radius);
 //   while (nextPoint(walk)) { ... walk.index, walk.offset ... }
 // The kernel defines `uvec2 gridCell(uint slot)` (first point, end) and `uvec4 gridPoint(uint index)` before
 // including this file.
@@ -42,6 +42,12 @@ uint addRanges(GridFrame frame, vec3 centre, vec3 normal, float radius, uint lev
   return count;
 }
 
+/// Goes over the points again.
+void restartWalk(inout Walk walk) {
+  walk.range = 0u;
+  walk.left = 0u;
+}
+
 /// Searches the levels of the bits set in `levels`.
 Walk beginWalkLevels(GridFrame frame, vec3 centre, vec3 normal, float radius, uint levels) {
   Walk walk;
@@ -49,24 +55,26 @@ Walk beginWalkLevels(GridFrame frame, vec3 centre, vec3 normal, float radius, ui
   walk.ranges = 0u;
   for (; levels != 0u; levels &= levels - 1u)
     walk.ranges = addRanges(frame, centre, normal, radius, uint(findLSB(levels)), walk.ranges);
-  walk.range = 0u;
-  walk.left = 0u;
-  walk.index = 0u;
-  walk.level = 0u;
+  restartWalk(walk);
   return walk;
 }
 
-/// Searches for points whose own radius is within a factor of two of `radius`. `levels`: a bit for each level that
-/// the grid has points on.
-Walk beginWalk(GridFrame frame, uint levels, vec3 centre, vec3 normal, float radius) {
-  const uint own = 2u << gridLevel(frame, radius);  // a bit up, so that the level below has one too
+/// Searches within `radius` for points whose own radius is within a factor of two of `ownRadius`. `levels`: a bit for
+/// each level that the grid has points on.
+Walk beginWalk(GridFrame frame, uint levels, vec3 centre, vec3 normal, float radius, float ownRadius) {
+  const uint own = 2u << gridLevel(frame, ownRadius);  // a bit up, so that the level below has one too
   return beginWalkLevels(frame, centre, normal, radius, levels & ((own >> 2) | (own >> 1) | own));
 }
 
-/// Goes over the points again.
-void restartWalk(inout Walk walk) {
-  walk.range = 0u;
-  walk.left = 0u;
+/// Searches the cell of `centre` on one level only: a cheap first look.
+Walk beginWalkCell(GridFrame frame, vec3 centre, uint level) {
+  Walk walk;
+  walk.centre = centre;
+  const uvec2 cell = gridCell(gridSlot(frame, gridCellOf(frame, centre, level), level));
+  searchRanges[0] = uvec2(cell.x, cell.y - cell.x | level << 27);
+  walk.ranges = uint(cell.y > cell.x);
+  restartWalk(walk);
+  return walk;
 }
 
 /// Steps to the next point, not yet tested for its level or distance; false when all are done.
