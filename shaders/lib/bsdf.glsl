@@ -73,14 +73,15 @@ float deltaProbability(Bsdf b) { return b.isSmooth ? b.pReflect + b.pTransmit : 
 bool hasSmoothLobe(Bsdf b) { return b.isSmooth && b.pReflect + b.pTransmit > 0.0; }
 bool hasRoughLobe(Bsdf b) { return b.pDiffuse > 0.0 || (!b.isSmooth && b.pReflect + b.pTransmit > 0.0); }
 
-/// Diffuse part times cosine: Lambert under the dielectric's interface.
+/// Diffuse part times cosine: Lambert under the dielectric's interface. Light passes it on the way in and on the way
+/// out; what it turns back below stays until it leaves. So a white base loses nothing, which a cover by the Fresnel
+/// term of the half vector would not hold: it gains up to 80 % at grazing angles. [Kelemen and Szirmay-Kalos 2001]
 vec3 evalDiffuse(Bsdf b, vec3 wo, vec3 wi) {
   if (!kHasReflection) return b.diffuse * (wi.z / kPi);
-  const vec3 sum = wo + wi;
-  const float cosine = clamp(dot(wi, sum) * inversesqrt(max(dot(sum, sum), 1e-30)), 0.0, 1.0);
-  // Only the dielectric's interface covers the diffuse base; a metal has no base.
-  const float covered = b.metallic < 1.0 ? maxComponent(fresnelSchlick(b.f0, b.f90, cosine)) : 0.0;
-  return b.diffuse * ((1.0 - min(covered, 1.0)) * wi.z / kPi);
+  const float f0 = min(maxComponent(b.f0), 1.0);
+  const float passed = 1.0 - (f0 + (b.f90 - f0) / 21.0);  // mean of 1 - F over the cosine
+  const float in_ = 1.0 - fresnelSchlick(vec3(f0), b.f90, wi.z).x, out_ = 1.0 - fresnelSchlick(vec3(f0), b.f90, wo.z).x;
+  return b.diffuse * (in_ * out_ / max(passed, 1e-3) * wi.z / kPi);
 }
 
 /// Microfacet reflection times cosine. [Walter et al. 2007, eq. 20]

@@ -1,0 +1,72 @@
+// The BSDF of a surface without textures: a sampled direction, and the value for another one.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "shared/scene_data.h"
+#include "lib/dispatch.glsl"
+
+uvec4 vertexTexel(uint i) { return uvec4(i); }
+uvec4 triangleTexel(uint i) { return uvec4(i); }
+uvec4 materialTexel(uint i) { return uvec4(i); }
+uvec4 textureTexel(uint i) { return uvec4(i); }
+uint imageTexel(uint i) { return i; }
+#include "lib/bsdf.glsl"
+
+struct Query {
+  vec3 baseColor;
+  float metallic;
+  float alpha;
+  float transmission;
+  float ior;
+  float specular;
+  uint isFront;
+  uint isSolid;
+  vec3 wo;
+  vec3 wi;
+  vec2 u;
+  float uLobe;
+};
+struct Answer {
+  vec3 value;  // BSDF · |cosine| of (wo, wi)
+  float pdf;   // of sampling wi, 1/sr
+  vec3 sampled;
+  vec3 weight;
+  float sampledPdf;
+  uint isDelta;
+  uint isTransmission;
+};
+
+layout(binding = 0, scalar) readonly buffer In { Query items[]; };
+layout(binding = 1, scalar) writeonly buffer Out { Answer results[]; };
+layout(push_constant, scalar) uniform Push { uint count; };
+
+Surface surfaceOf(Query q) {
+  Surface s;
+  s.baseColor = q.baseColor;
+  s.metallic = q.metallic;
+  s.alpha = q.alpha;
+  s.transmission = q.transmission;
+  s.ior = q.ior;
+  s.isFront = q.isFront != 0u;
+  s.flags = q.isSolid != 0u ? kMaterialSolid : 0u;
+  const float r = (q.ior - 1.0) / (q.ior + 1.0);
+  s.f0 = mix(vec3(r * r * q.specular), q.baseColor, q.metallic);
+  s.f90 = mix(q.specular, 1.0, q.metallic);
+  return s;
+}
+
+void main() {
+  const uint i = invocationIndex();
+  if (i >= count) return;
+  const Query q = items[i];
+  const Bsdf b = makeBsdf(surfaceOf(q), q.wo.z);
+  Answer a;
+  a.value = evalBsdf(b, q.wo, q.wi, a.pdf);
+  const BsdfSample s = sampleBsdf(b, q.wo, q.uLobe, q.u);
+  a.sampled = s.wi;
+  a.weight = s.weight;
+  a.sampledPdf = s.pdf;
+  a.isDelta = uint(s.isDelta);
+  a.isTransmission = uint(s.isTransmission);
+  results[i] = a;
+}
