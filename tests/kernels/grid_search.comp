@@ -19,7 +19,7 @@ void main() {
   const RadiusPoint item = items[i];
   const uint base = i * (kept + 2u);
   uint met = 0u;
-  Walk walk = beginWalk(storedFrame(), item.position, item.normal, item.radius, item.radius);
+  Walk walk = beginWalk(storedFrame(), 0x1FFFFFu, item.position, item.normal, item.radius, item.radius);
   while (nextPoint(walk)) {
     if (!isInside(walk, item.normal, item.radius)) continue;
     if (met < kept) found[base + 2u + met] = texelFetch(storedOrder, int(walk.index)).x;

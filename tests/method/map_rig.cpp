@@ -26,7 +26,8 @@ void MapRig::findImportance() {
 
 ImportonsFound MapRig::importons(MapKind kind) const {
   const ImportanceMap& map = kind == MapKind::caustic ? importance.caustic : importance.global;
-  return {map.grid.points.download<MapPoint>(map.count), map.importance.download<float>(map.count)};
+  const std::uint64_t sites = (map.count + kImportonsPerSite - 1) / kImportonsPerSite;
+  return {map.grid.points.download<MapPoint>(sites), map.importance.download<float>(sites)};
 }
 
 PhotonMap MapRig::shoot(MapKind kind, DensityControl control, uint receivers, std::uint64_t capacity) {

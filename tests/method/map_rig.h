@@ -12,7 +12,7 @@
 
 namespace importon::test {
 
-/// Importons as they stand in an importance map.
+/// The sites of an importance map: every kImportonsPerSite-th importon.
 struct ImportonsFound {
   std::vector<MapPoint> points;
   std::vector<float> importance;  // pixels/m², at each
