@@ -66,12 +66,14 @@ void main() {
   const MapPoint point = recordPoints[selection[i]];
   const vec3 normal = mapPointNormal(point.packed);
   const GridFrame frame = storedFrame();
-  uint level = startLevels[i];
+  // From the start level on to coarser ones: its count may have been that of other cells in the same slot.
+  uint levels = push.levels & ((2u << startLevels[i]) - 1u);
   Walk walk;
   float radius, low, high;
   bool isFound = false;
-  for (uint attempt = 0u; attempt < 2u && !isFound; ++attempt) {
-    level -= min(level, attempt);
+  while (levels != 0u && !isFound) {
+    const uint level = uint(findMSB(levels));
+    levels ^= 1u << level;
     radius = gridCellEdge(frame, level);
     low = 0.0;
     high = radius * radius;
