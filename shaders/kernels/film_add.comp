@@ -14,7 +14,6 @@ void main() {
   pixel.direct += light.direct;
   pixel.caustic += light.caustic;
   pixel.indirect += light.indirect;
-  pixel.irradiance += mix(light.indirect / light.modulation, vec3(0.0), lessThanEqual(light.modulation, vec3(0.0)));
   pixel.modulation += light.modulation;
   pixel.position += light.position;
   pixel.normal += light.normal;

@@ -15,6 +15,9 @@ void writeRecord(uint at, Surface s, vec3 direction, PathState path) {
   records[at] = Record(path.throughput, kRecordGlobal | (isCaustic ? kRecordCaustic : 0u));
 }
 
+/// Beyond it the normals contradict each other; the rest would come as a few very bright photons.
+const float kMaxAdjoint = 4.0;
+
 /// Scatters the photon; false: absorbed. Throughput keeps its mean by Russian roulette.
 bool scatter(Surface s, Bsdf b, mat3 frame, vec3 direction, inout PathState path, out Ray ray) {
   const uint stream = hashCombine(params.seed, kStreamPhotons);
@@ -28,7 +31,7 @@ bool scatter(Surface s, Bsdf b, mat3 frame, vec3 direction, inout PathState path
   // Shading normals: the adjoint's factor. [Veach 1997, eq. 5.19]
   const float adjoint = abs(towardsLight.z * dot(wi, s.geometricNormal)) /
                         max(abs(dot(direction, s.geometricNormal) * next.wi.z), 1e-20);
-  const vec3 weight = next.weight * adjoint;
+  const vec3 weight = next.weight * min(adjoint, kMaxAdjoint);
   const float survival = min(1.0, maxComponent(weight * path.throughput) / max(maxComponent(path.throughput), 1e-38));
   if (!(choice.y < survival)) return false;
   path.throughput *= weight / survival;

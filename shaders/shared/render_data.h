@@ -93,7 +93,6 @@ struct FilmPixel {
   vec3 direct;      // emitted and direct
   vec3 caustic;
   vec3 indirect;    // with its modulation
-  vec3 irradiance;  // indirect without its modulation
   vec3 modulation;
   vec3 position;    // of the vertices that gathered
   vec3 normal;

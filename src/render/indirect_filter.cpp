@@ -9,14 +9,17 @@ namespace importon {
 namespace {
 
 constexpr std::array kRadii{0, 1, 2, 4, 8, 14};  // pixels
+constexpr int kEdgeRadius = 4;                   // the largest for pixels that see an edge
 constexpr int kWindow = 8;                       // half the side of the window that chooses the radius, pixels
 constexpr float kLikeNormal = 0.9f;
-constexpr float kPurity = 0.98f;  // length of the mean normal below which a pixel sees several surfaces
+constexpr float kPurity = 0.98f;   // length of the mean normal below which a pixel sees several surfaces
+constexpr float kLikeMixture = 0.15f;  // distance of mean normals below which two such pixels see them alike
 
 /// What the filter knows of a pixel.
 struct Guide {
   vec3 position{0};
-  vec3 normal{0};
+  vec3 normal{0};       // of unit length if pure, else the mean
+  bool hasGathers = false;
   bool isPure = false;  // all its gathers lie on one smooth surface
 };
 
@@ -33,33 +36,41 @@ Guide makeGuide(const FilmPixel& a, const FilmPixel& b) {
   g.position = (a.position + b.position) / gathers;
   const vec3 normal = (a.normal + b.normal) / gathers;
   const float length = glm::length(normal);
+  g.hasGathers = true;
   g.isPure = length > kPurity;
-  if (g.isPure) g.normal = normal / length;
+  g.normal = g.isPure ? normal / length : normal;
   return g;
 }
 
 /// True if q's gathers may stand for p's: like normals, and each in the other's plane up to a tenth of the distance.
+/// Pixels on an edge go with others that see both sides in like shares.
 bool isLike(const Guide& p, const Guide& q) {
-  if (!q.isPure || glm::dot(p.normal, q.normal) < kLikeNormal) return false;
+  if (!q.hasGathers || p.isPure != q.isPure) return false;
+  if (!p.isPure) return glm::distance(p.normal, q.normal) < kLikeMixture;
+  if (glm::dot(p.normal, q.normal) < kLikeNormal) return false;
   const vec3 offset = q.position - p.position;
   const float off = std::max(std::abs(glm::dot(offset, p.normal)), std::abs(glm::dot(offset, q.normal)));
   return off * off <= 0.01f * glm::dot(offset, offset);
 }
 
 struct Estimate {
-  vec3 even{0}, odd{0};  // irradiance of each half
+  vec3 even{0}, odd{0};  // irradiance of each half: indirect light over its modulation
 };
 
-/// Mean irradiance of both halves over the disc of `radius` pixels around pixel (x, y).
+vec3 ratio(vec3 a, vec3 b) {
+  return {b.x > 0 ? a.x / b.x : 0.0f, b.y > 0 ? a.y / b.y : 0.0f, b.z > 0 ? a.z / b.z : 0.0f};
+}
+
+/// Irradiance of both halves over the disc of `radius` pixels around pixel (x, y).
 Estimate average(const Halves& h, int x, int y, int radius) {
   const std::size_t centre = static_cast<std::size_t>(y) * static_cast<std::size_t>(h.width) + static_cast<std::size_t>(x);
   Estimate sum;
-  float evenGathers = 0, oddGathers = 0;
+  vec3 evenModulation(0), oddModulation(0);
   const auto add = [&](std::size_t i) {
-    sum.even += h.even[i].irradiance;
-    sum.odd += h.odd[i].irradiance;
-    evenGathers += h.even[i].gathers;
-    oddGathers += h.odd[i].gathers;
+    sum.even += h.even[i].indirect;
+    sum.odd += h.odd[i].indirect;
+    evenModulation += h.even[i].modulation;
+    oddModulation += h.odd[i].modulation;
   };
   for (int dy = -radius; dy <= radius; ++dy) {
     for (int dx = -radius; dx <= radius; ++dx) {
@@ -69,15 +80,15 @@ Estimate average(const Halves& h, int x, int y, int radius) {
       if (i == centre || isLike(h.guides[centre], h.guides[i])) add(i);
     }
   }
-  if (evenGathers > 0) sum.even /= evenGathers;
-  if (oddGathers > 0) sum.odd /= oddGathers;
-  return sum;
+  return {ratio(sum.even, evenModulation), ratio(sum.odd, oddModulation)};
 }
 
-/// How badly each half's estimate predicts the other half's own irradiance, relative to the light around.
+/// How badly each half's estimate predicts the other half's own irradiance. Bounded, so that one very bright sample
+/// does not choose the radius for a whole window.
 float residual(const Estimate& estimate, const Estimate& own) {
   const vec3 a = estimate.even - own.odd, b = estimate.odd - own.even;
-  return glm::dot(a, a) + glm::dot(b, b);
+  const float size = glm::dot(estimate.even, estimate.even) + glm::dot(estimate.odd, estimate.odd);
+  return std::min(glm::dot(a, a) + glm::dot(b, b), 8 * size);
 }
 
 /// Means of `values` over windows of (2 kWindow + 1)² pixels, row sums first.
@@ -97,11 +108,9 @@ std::vector<float> blur(const std::vector<float>& values, int width, int height,
   return out;
 }
 
-/// Light of a half from its irradiance: a pixel of one surface takes the mean modulation.
+/// Light of a half from its irradiance, with the mean modulation of both.
 vec3 modulate(const FilmPixel& a, const FilmPixel& b, vec3 irradiance, int passes) {
-  const float gathers = a.gathers + b.gathers;
-  const vec3 modulation = (a.modulation + b.modulation) / std::max(gathers, 1.0f);
-  return modulation * irradiance * (gathers / static_cast<float>(passes));
+  return (a.modulation + b.modulation) * irradiance / static_cast<float>(passes);
 }
 
 }  // namespace
@@ -121,7 +130,7 @@ FilteredIndirect filterIndirect(std::span<const FilmPixel> film, int width, int 
       for (std::size_t y = begin; y < end; ++y)
         for (int x = 0; x < width; ++x) {
           const std::size_t i = y * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-          if (!h.guides[i].isPure) continue;
+          if (!h.guides[i].hasGathers || (radius > kEdgeRadius && !h.guides[i].isPure)) continue;
           const Estimate own = average(h, x, static_cast<int>(y), 0);
           estimates[i] = average(h, x, static_cast<int>(y), radius);
           residuals[i] = residual(estimates[i], own);
@@ -133,7 +142,7 @@ FilteredIndirect filterIndirect(std::span<const FilmPixel> film, int width, int 
         best[i] = around[i];
         result.even[i] = h.even[i].indirect / perEven;
         result.odd[i] = h.odd[i].indirect / perOdd;
-      } else if (h.guides[i].isPure && around[i] < best[i]) {
+      } else if (h.guides[i].hasGathers && (radius <= kEdgeRadius || h.guides[i].isPure) && around[i] < best[i]) {
         best[i] = around[i];
         result.even[i] = modulate(h.even[i], h.odd[i], estimates[i].even, passes);
         result.odd[i] = modulate(h.even[i], h.odd[i], estimates[i].odd, passes);
