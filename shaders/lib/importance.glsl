@@ -4,6 +4,7 @@
 #define IMPORTON_LIB_IMPORTANCE_GLSL
 #include "lib/grid.glsl"
 #include "lib/map_point.glsl"
+#include "lib/sampling.glsl"
 
 const uint kImportonCandidates = 12u;  // of a cell that are looked at
 
@@ -16,12 +17,14 @@ float importanceAt(GridFrame frame, uint levels, vec3 position, vec3 normal) {
     const ivec3 cell = gridCellOf(frame, position, level);
     const uvec2 range = importonCell(gridSlot(frame, cell, level));
     const uint end = min(range.y, range.x + kImportonCandidates);
+    const float edge = gridCellEdge(frame, level);
     float nearest = 3.0e38, importance = -1.0;
     for (uint i = range.x; i < end; ++i) {
       const uvec4 point = importonPoint(i);
       const vec3 p = uintBitsToFloat(point.xyz);
       if (mapPointLevel(point.w) != level) continue;
       const vec3 offset = p - position;
+      if (maxComponent(abs(offset)) > edge) continue;  // of another cell that shares the slot
       const float d2 = dot(offset, offset);
       if (d2 < nearest && hasLikeNormal(point.w, normal, 0.7)) {
         nearest = d2;
