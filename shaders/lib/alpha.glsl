@@ -4,8 +4,8 @@
 #include "lib/hash.glsl"
 #include "lib/surface.glsl"
 
-/// True if a ray meets the surface at this point of the triangle: alpha at least the cut-off of a masked material;
-/// a blended one stops rays with the probability of its alpha, decided by the ray and the triangle.
+/// True if a ray meets the surface at this point of the triangle: alpha at least the cut-off of a masked
+/// material; a blended one stops rays with the probability of its alpha, decided by the ray and the triangle.
 bool isCovered(uint triangle, vec2 uvWeights, uint rayId) {
   const uvec4 indices = triangleTexel(triangle);
   const uint base = 8u * indices.w;

@@ -1,4 +1,5 @@
-// Ray origins that are surely on the right side of the surface they leave. [Pharr et al. 2016, PBRT, section 3.9]
+// Ray origins that are surely on the right side of the surface they leave. [Pharr et al. 2016, PBRT,
+// section 3.9]
 #ifndef IMPORTON_LIB_OFFSET_GLSL
 #define IMPORTON_LIB_OFFSET_GLSL
 
@@ -8,9 +9,9 @@ struct HitPosition {
   vec3 error;
 };
 
-/// The point with barycentric weights u of v1 and v of v2. With edges a = v1 - v0 and b = v2 - v0, the sum of four
-/// roundings of u·a and v·b and one of the result, each 2^-24 relative; doubled, for the rounding of the bound and of
-/// what offsetOrigin makes of it.
+/// The point with barycentric weights u of v1 and v of v2. With edges a = v1 - v0 and b = v2 - v0, the sum of
+/// four roundings of u·a and v·b and one of the result, each 2^-24 relative; doubled, for the rounding of the
+/// bound and of what offsetOrigin makes of it.
 HitPosition hitPosition(vec3 v0, vec3 v1, vec3 v2, float u, float v) {
   const float kRounding = 1.0 / 16777216.0;
   const vec3 along = u * (v1 - v0), across = v * (v2 - v0);
@@ -27,8 +28,8 @@ float nextFloat(float x, float sign) {
   return intBitsToFloat((x < 0.0) == (sign < 0.0) ? bits + 1 : bits - 1);
 }
 
-/// Moves `position` along the normal (unit length, either side) to the side of the surface that `direction` goes to,
-/// out of its error box.
+/// Moves `position` along the normal (unit length, either side) to the side of the surface that `direction`
+/// goes to, out of its error box.
 vec3 offsetOrigin(vec3 position, vec3 error, vec3 normal, vec3 direction) {
   const float distance = dot(abs(normal), error);
   const vec3 offset = normal * (dot(direction, normal) < 0.0 ? -distance : distance);

@@ -7,28 +7,28 @@
 //   bool acceptHit(uint triangle, vec2 barycentrics, uint rayId)     false: the surface has a hole there
 #ifndef IMPORTON_LIB_TRAVERSE_GLSL
 #define IMPORTON_LIB_TRAVERSE_GLSL
+#include "lib/triangle_intersection.glsl"
 #include "shared/bvh_data.h"
 #include "shared/ray_data.h"
 #include "shared/scene_data.h"
-#include "lib/triangle_intersection.glsl"
 
-/// Where a traversal is. Siblings still to be visited form a list in one word: record of the first child in the low
-/// bits, above them their slots, two bits each and the next one lowest, closed by a 1.
+/// Where a traversal is. Siblings still to be visited form a list in one word: record of the first child in the
+/// low bits, above them their slots, two bits each and the next one lowest, closed by a 1.
 struct Traversal {
   vec3 origin;
   vec3 direction;
   vec3 inverseDirection;  // finite
   RayShear shear;
   uint rayId;
-  Hit hit;                // the best so far, u and v as in its record; t is the limit from the start
-  uint hitKind;           // BvhTriangle::kind of the hit
-  uint record;            // to be visited next
-  uint siblings;          // of `record`
-  uint depth;             // lists on the stack
+  Hit hit;        // the best so far, u and v as in its record; t is the limit from the start
+  uint hitKind;   // BvhTriangle::kind of the hit
+  uint record;    // to be visited next
+  uint siblings;  // of `record`
+  uint depth;     // lists on the stack
 };
 
-/// Lists of siblings left behind on the way down. A variable of its own because an array in a struct would be copied
-/// at each call (a factor of four on lavapipe); so an invocation has one traversal at a time.
+/// Lists of siblings left behind on the way down. A variable of its own because an array in a struct would be
+/// copied at each call (a factor of four on lavapipe); so an invocation has one traversal at a time.
 uint bvhStack[kBvhMaxDepth];
 
 const uint kBvhSlotMask = 3u;
@@ -57,8 +57,8 @@ void setRay(inout Traversal t, vec3 origin, vec3 direction, float tMax, uint ray
   t.depth = 0u;
 }
 
-/// Distance at which the ray enters the box in `slot`, as an integer with the slot in its lowest bits, or kBvhMiss.
-/// Non-negative floats compare as their bits do, which spares the NaN rules of min and max.
+/// Distance at which the ray enters the box in `slot`, as an integer with the slot in its lowest bits, or
+/// kBvhMiss. Non-negative floats compare as their bits do, which spares the NaN rules of min and max.
 int bvhBoxKey(Traversal t, vec3 scale, vec3 offset, uvec3 nearWords, uvec3 farWords, int slot) {
   const vec3 near = vec3(ivec3((nearWords >> (8 * slot)) & 255u)) * scale + offset;
   const vec3 far = vec3(ivec3((farWords >> (8 * slot)) & 255u)) * scale + offset;
@@ -72,7 +72,8 @@ int bvhBoxKey(Traversal t, vec3 scale, vec3 offset, uvec3 nearWords, uvec3 farWo
 /// Keys of the four children in the order that the ray meets them.
 ivec4 bvhSortedKeys(Traversal t, uvec4 a, uvec4 b, uvec4 c) {
   const vec3 offset = (uintBitsToFloat(a.xyz) - t.origin) * t.inverseDirection;
-  const vec3 scale = uintBitsToFloat((uvec3(a.w << 23, a.w << 15, a.w << 7)) & 0x7F800000u) * t.inverseDirection;
+  const vec3 scale =
+      uintBitsToFloat((uvec3(a.w << 23, a.w << 15, a.w << 7)) & 0x7F800000u) * t.inverseDirection;
   const bvec3 isNegative = lessThan(t.direction, vec3(0.0));
   const uvec3 low = uvec3(b.x, b.z, c.x), high = uvec3(b.y, b.w, c.y);
   const uvec3 near = mix(low, high, isNegative), far = mix(high, low, isNegative);
@@ -93,8 +94,8 @@ uint bvhSiblingList(ivec4 keys, uint firstChild) {
   return list | firstChild;
 }
 
-/// The weights of the triangle's second and third vertex in the scene from those in its record, whose vertices may be
-/// turned (BvhTriangle::kind).
+/// The weights of the triangle's second and third vertex in the scene from those in its record, whose vertices
+/// may be turned (BvhTriangle::kind).
 vec2 bvhBarycentrics(vec2 uv, uint kind) {
   const float w = 1.0 - uv.x - uv.y;
   const uint turn = kind & kBvhTurnMask;
@@ -106,7 +107,8 @@ bool bvhTestTriangle(inout Traversal t, uvec4 a, uvec4 b, uvec4 c, bool isTriang
   const TriangleHit h = intersectTriangle(t.shear, t.origin, t.direction, uintBitsToFloat(a.xyz),
                                           uintBitsToFloat(b.xyz), uintBitsToFloat(c.xyz));
   const bool isNearer = isAnyHit ? h.t < t.hit.t : h.t < t.hit.t || (h.t == t.hit.t && a.w < t.hit.triangle);
-  const bool isTaken = isTriangle && h.isHit && isNearer && acceptHit(a.w, bvhBarycentrics(vec2(h.u, h.v), c.w), t.rayId);
+  const bool isTaken =
+      isTriangle && h.isHit && isNearer && acceptHit(a.w, bvhBarycentrics(vec2(h.u, h.v), c.w), t.rayId);
   t.hit.t = isTaken ? h.t : t.hit.t;
   t.hit.u = isTaken ? h.u : t.hit.u;
   t.hit.v = isTaken ? h.v : t.hit.v;
@@ -115,8 +117,8 @@ bool bvhTestTriangle(inout Traversal t, uvec4 a, uvec4 b, uvec4 c, bool isTriang
   return isTaken;
 }
 
-/// Visits one record. True when the traversal is over. Branches are selections: lavapipe would run both sides anyway, and
-/// a store that every lane makes costs less than one that some skip.
+/// Visits one record. True when the traversal is over. Branches are selections: lavapipe would run both sides
+/// anyway, and a store that every lane makes costs less than one that some skip.
 bool stepTraversal(inout Traversal t, const bool isAnyHit) {
   const uint texel = kBvhRecordTexels * t.record;
   const uvec4 a = bvhNodeTexel(texel), b = bvhNodeTexel(texel + 1u), c = bvhNodeTexel(texel + 2u);

@@ -2,9 +2,10 @@
 #ifndef IMPORTON_LIB_TRIANGLE_INTERSECTION_GLSL
 #define IMPORTON_LIB_TRIANGLE_INTERSECTION_GLSL
 
-/// Maps a point relative to the ray's origin to its offset from the ray, measured along the two axes in which the
-/// ray runs least. Rows of a matrix with exact zeros and ones, so the result depends on the point alone, and
-/// triangles that share a vertex agree on it. [Woop, Benthin, Wald 2013, Watertight ray/triangle intersection]
+/// Maps a point relative to the ray's origin to its offset from the ray, measured along the two axes in which
+/// the ray runs least. Rows of a matrix with exact zeros and ones, so the result depends on the point alone,
+/// and triangles that share a vertex agree on it. [Woop, Benthin, Wald 2013, Watertight ray/triangle
+/// intersection]
 struct RayShear {
   vec3 rowX;
   vec3 rowY;
@@ -37,12 +38,13 @@ struct TriangleHit {
   float v;  // barycentric weight of v2
 };
 
-/// Both sides are hit, edges included. Two triangles that share an edge agree on which side of it the ray passes:
-/// the edge function of one is exactly the negative of the other's. A hit counts only if the origin is off the
-/// triangle's plane by more than rounding can pretend, with vectors a = v1 - v0, b = v2 - v0, r = v0 - origin:
+/// Both sides are hit, edges included. Two triangles that share an edge agree on which side of it the ray
+/// passes: the edge function of one is exactly the negative of the other's. A hit counts only if the origin is
+/// off the triangle's plane by more than rounding can pretend, with vectors a = v1 - v0, b = v2 - v0, r = v0 -
+/// origin:
 ///   |fl((a×b)·r) - (a×b)·r| <= 8 · 2^-24 · sum over axes of (|a_j b_k| + |a_k b_j|) |r_i|
-/// which is least if v0 is the vertex opposite the longest edge (makeBvhTriangle in src/accel turns it so). Nothing
-/// here has a unit: a scene scaled by a power of two has the same u and v, bit for bit, and t scaled.
+/// which is least if v0 is the vertex opposite the longest edge (makeBvhTriangle in src/accel turns it so).
+/// Nothing here has a unit: a scene scaled by a power of two has the same u and v, bit for bit, and t scaled.
 TriangleHit intersectTriangle(RayShear shear, vec3 origin, vec3 direction, vec3 v0, vec3 v1, vec3 v2) {
   const vec3 r = v0 - origin;
   const vec2 p0 = applyRayShear(shear, r);
@@ -52,8 +54,8 @@ TriangleHit intersectTriangle(RayShear shear, vec3 origin, vec3 direction, vec3 
   area.x = p2.x * p1.y - p2.y * p1.x;
   area.y = p0.x * p2.y - p0.y * p2.x;
   area.z = p1.x * p0.y - p1.y * p0.x;
-  const bool isInside = (area.x >= 0.0 && area.y >= 0.0 && area.z >= 0.0) ||
-                        (area.x <= 0.0 && area.y <= 0.0 && area.z <= 0.0);
+  const bool isInside =
+      (area.x >= 0.0 && area.y >= 0.0 && area.z >= 0.0) || (area.x <= 0.0 && area.y <= 0.0 && area.z <= 0.0);
   const float total = area.x + area.y + area.z;
   const float inverseTotal = 1.0 / total;
 

@@ -6,9 +6,9 @@
 
 SHARED_BEGIN
 
-SHARED_CONST uint kBvhWidth = 4u;          // children of a node at most
-SHARED_CONST uint kBvhMaxDepth = 64u;      // nodes on a path from the root at most: the size of the stack
-SHARED_CONST uint kBvhIndexBits = 24u;     // of record indices
+SHARED_CONST uint kBvhWidth = 4u;       // children of a node at most
+SHARED_CONST uint kBvhMaxDepth = 64u;   // nodes on a path from the root at most: the size of the stack
+SHARED_CONST uint kBvhIndexBits = 24u;  // of record indices
 SHARED_CONST uint kBvhRecordTexels = 3u;
 
 // BvhNode::kind, BvhTriangle::kind
@@ -16,9 +16,9 @@ SHARED_CONST uint kBvhInner = 0u;
 SHARED_CONST uint kBvhLeaf = 0x80000000u;
 SHARED_CONST uint kBvhTurnMask = 3u;  // BvhTriangle: how far its vertices are turned
 
-/// A node. Its children are the records firstChild + 0, 1, … of its slots; their boxes are rounded outwards to a
-/// grid of 256 steps per axis: low = gridOrigin + byte · 2^(exponent - 127). Byte s of a word belongs to slot s.
-/// Slots without a child have low > high. [Ylitie et al. 2017, section 3]
+/// A node. Its children are the records firstChild + 0, 1, … of its slots; their boxes are rounded outwards to
+/// a grid of 256 steps per axis: low = gridOrigin + byte · 2^(exponent - 127). Byte s of a word belongs to slot
+/// s. Slots without a child have low > high. [Ylitie et al. 2017, section 3]
 struct BvhNode {
   vec3 gridOrigin;     // m
   uint gridExponents;  // a byte per axis, x lowest, as in a float's exponent
@@ -29,19 +29,19 @@ struct BvhNode {
   uint lowZ;
   uint highZ;
   uint firstChild;
-  uint kind;           // kBvhInner
+  uint kind;  // kBvhInner
 };
 
-/// A triangle as a record in the same array. A leaf with several is a chain. Its vertices are turned so that v0 is
-/// opposite the longest edge, which makes the plane that they span most exact: v0 is vertex `turn` of the triangle
-/// in the scene, v1 the one after it, cyclically.
+/// A triangle as a record in the same array. A leaf with several is a chain. Its vertices are turned so that v0
+/// is opposite the longest edge, which makes the plane that they span most exact: v0 is vertex `turn` of the
+/// triangle in the scene, v1 the one after it, cyclically.
 struct BvhTriangle {
   vec3 v0;        // m, render space
   uint triangle;  // index into the scene's triangles
   vec3 v1;
-  uint next;      // record of the leaf's next triangle; 0: the last one
+  uint next;  // record of the leaf's next triangle; 0: the last one
   vec3 v2;
-  uint kind;      // kBvhLeaf | turn
+  uint kind;  // kBvhLeaf | turn
 };
 
 SHARED_END

@@ -160,7 +160,7 @@ BvhRecord makeBvhNode(std::span<const Box> children, std::uint32_t firstChild) {
   BvhNode node{};
   node.firstChild = firstChild;
   node.kind = kBvhInner;
-  Box whole = Box::empty();
+  Box whole = children.empty() ? Box{Float4{}, Float4{}} : Box::empty();
   for (const Box& child : children) whole.include(child);
   const std::array<std::uint32_t*, 3> lows{&node.lowX, &node.lowY, &node.lowZ};
   const std::array<std::uint32_t*, 3> highs{&node.highX, &node.highY, &node.highZ};

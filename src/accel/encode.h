@@ -17,7 +17,7 @@ namespace importon {
 /// A node over children with these boxes, in the order of their slots.
 [[nodiscard]] BvhRecord makeBvhNode(std::span<const Box> children, std::uint32_t firstChild);
 
-/// The box that the traversal sees in a slot of a node.
+/// The box that the traversal sees in a slot of a node, rounded to the nearest floats.
 [[nodiscard]] Box childBox(const BvhNode& node, std::uint32_t slot);
 [[nodiscard]] bool hasChild(const BvhNode& node, std::uint32_t slot);
 

@@ -1,0 +1,41 @@
+/// Traces rays through kernels/trace.comp, for tests and benchmarks.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "accel/bvh.h"
+#include "gpu/buffer.h"
+#include "gpu/kernel.h"
+#include "gpu/recorder.h"
+#include "shared/ray_data.h"
+
+namespace importon::test {
+
+/// A BVH on the device with the kernels that trace through it; nothing has alpha.
+class RayTracer {
+ public:
+  RayTracer(gpu::Context& context, const Bvh& bvh);
+
+  /// Sets the rays of the following calls.
+  void upload(std::span<const Ray> rays);
+  void trace(bool isAnyHit);
+  /// By ray, of the last trace.
+  [[nodiscard]] std::vector<Hit> hits() const;
+  /// Seconds of device time of the last trace.
+  [[nodiscard]] double seconds() const { return seconds_; }
+  /// Rays given up so far; 0 if all went well.
+  [[nodiscard]] std::uint32_t unfinished() const;
+
+  [[nodiscard]] std::vector<Hit> closestHits(std::span<const Ray> rays);
+  [[nodiscard]] std::vector<Hit> anyHits(std::span<const Ray> rays);
+
+ private:
+  gpu::Context& context_;
+  gpu::Kernel closest_, any_;
+  gpu::Buffer bvh_, counters_, noScene_, rays_, hits_, queue_;
+  gpu::BindingTable bindings_;
+  std::size_t count_ = 0;
+  double seconds_ = 0;
+};
+
+}  // namespace importon::test
