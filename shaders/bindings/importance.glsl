@@ -6,6 +6,9 @@
 layout(binding = kBindingImportonCells) uniform usamplerBuffer importonCells;
 layout(binding = kBindingImportonPoints) uniform usamplerBuffer importonPoints;
 layout(binding = kBindingImportance) uniform samplerBuffer importances;
+layout(binding = kBindingImportonHits) uniform usamplerBuffer importonHits;
+
+const float kFewestPhotons = 8.0;  // that a lookup holds on average in a pass where the map is thin
 
 uvec2 importonCell(uint slot) { return texelFetch(importonCells, int(slot)).xy; }
 uvec4 importonPoint(uint i) { return texelFetch(importonPoints, int(i)); }
@@ -18,11 +21,36 @@ GridFrame importonFrame() {
   return GridFrame(params.gridOrigin, params.gridExtent, uint(textureSize(importonCells)) - 1u);
 }
 
-/// D_r in photons/m² [METHOD: D_r = M_r Γ], at least the floor, growing over passes; or the constant one.
+/// Γ in pixels/m² at a point; 0 where no importon is near.
+float importanceAt(MapSettings map, vec3 position, vec3 normal) {
+  const uint importon = importonAt(importonFrame(), map.importonLevels, position, normal);
+  return importon == kNone ? 0.0 : importonImportance(importon);
+}
+
+/// D_r in photons/m² at an importon [METHOD: D_r = M_r Γ], at least the floor, growing over passes; or the constant.
+float requiredDensityAt(MapSettings map, uint importon) {
+  if (map.constantDensity > 0.0) return map.constantDensity * params.densityScale;
+  const float importance = importon == kNone ? 0.0 : importonImportance(importon);
+  return max(map.photonsPerPixel * importance, map.densityFloor) * params.densityScale;
+}
+
 float requiredDensity(MapSettings map, vec3 position, vec3 normal) {
   if (map.constantDensity > 0.0) return map.constantDensity * params.densityScale;
-  const float importance = importanceAt(importonFrame(), map.importonLevels, position, normal);
-  return max(map.photonsPerPixel * importance, map.densityFloor) * params.densityScale;
+  return requiredDensityAt(map, importonAt(importonFrame(), map.importonLevels, position, normal));
+}
+
+/// The density that a lookup counts on: the required one, or where the passes so far brought less, what they brought,
+/// scaled so that fewer photons do. An importon stands for its share of the surface, 1/(importons per m²). Half a
+/// hit is added to its count, for a place that has had none yet.
+float lookupDensity(MapSettings map, vec3 position, vec3 normal) {
+  if (map.constantDensity > 0.0) return map.constantDensity * params.densityScale;
+  const uint importon = importonAt(importonFrame(), map.importonLevels, position, normal);
+  const float required = requiredDensityAt(map, importon);
+  if (params.pass == 0u || importon == kNone) return required;
+  const float perArea = importonImportance(importon) / (map.importonFlux * float(kImportonsPerSite));
+  const float hits = (float(texelFetch(importonHits, int(importon)).x) + 0.5) / float(params.pass + 1u);
+  const float available = hits * perArea * (params.lookupPhotons / kFewestPhotons) * params.densityScale;
+  return clamp(available, map.densityFloor * params.densityScale, required);
 }
 
 /// Radius of the lookup that holds M photons where the map has its required density, m.

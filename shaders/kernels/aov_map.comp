@@ -29,7 +29,7 @@ void main() {
   if (push.isGlobal != 0u) map = params.globalMap;
   const float required = requiredDensity(map, s.position, s.geometricNormal);
   const uint base = kAovFloats * slot + push.isGlobal;
-  aov[base + kAovImportance] = importanceAt(importonFrame(), map.importonLevels, s.position, s.geometricNormal);
+  aov[base + kAovImportance] = importanceAt(map, s.position, s.geometricNormal);
   aov[base + kAovRequired] = required;
-  aov[base + kAovDensity] = storedDensity(s.position, s.geometricNormal, lookupRadius(required));
+  aov[base + kAovDensity] = storedDensity(s.position, s.geometricNormal, lookupRadius(lookupDensity(map, s.position, s.geometricNormal)));
 }

@@ -1,19 +1,23 @@
 #version 460
-// Required density at each hit of the map at work, and its cell in the grid of the batch.
+// Required density at each hit of the map at work, and its cell in the grid of the batch; counts the hits near each
+// importon, for the passes to come.
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/importance.glsl"
 #include "bindings/selection.glsl"
 
 layout(scalar, binding = kBindingKeysOut) writeonly buffer KeysBlock { uint keys[]; };
+layout(scalar, binding = kBindingImportonHitsOut) buffer HitsBlock { uint hitsOut[]; };
 layout(push_constant, scalar) uniform PushBlock { HitKeyPush push; };
 
 void main() {
   const uint i = invocationIndex();
   if (i >= counters[kCounterSelected]) return;
   MapPoint point = recordPoints[selection[i]];
-  float density;
-  if (push.isGlobal != 0u) density = requiredDensity(params.globalMap, point.position, mapPointNormal(point.packed));
-  else density = requiredDensity(params.causticMap, point.position, mapPointNormal(point.packed));
+  MapSettings map = params.causticMap;
+  if (push.isGlobal != 0u) map = params.globalMap;
+  const uint importon = importonAt(importonFrame(), map.importonLevels, point.position, mapPointNormal(point.packed));
+  if (importon != kNone) atomicAdd(hitsOut[importon], 1u);
+  const float density = requiredDensityAt(map, importon);
   const GridFrame frame = GridFrame(params.gridOrigin, params.gridExtent, push.slotMask);
   const uint level = gridLevel(frame, quotaRadius(density));
   point.packed = withMapPointLevel(point.packed, level);

@@ -20,8 +20,11 @@ vec3 photonContribution(Surface s, Bsdf b, vec3 wo, mat3 frame, uint photon, flo
   if (!hasLikeNormal(point.w, s.geometricNormal, kLikeNormal)) return vec3(0.0);
   const vec3 towardsLight = mapPointDirection(point.w);
   float pdf;
-  // Photons count flux per area of the true surface; the BSDF's cosine is the shading normal's.
-  const vec3 f = evalBsdf(b, wo, towardsLight * frame, pdf) / max(dot(towardsLight, s.geometricNormal), 0.05);
+  // Photons count flux per area of the true surface; the BSDF's cosine is the shading normal's. The bound holds
+  // where the two differ: without it one grazing photon could outshine all others.
+  const vec3 wi = towardsLight * frame;
+  const float cosine = max(abs(dot(towardsLight, s.geometricNormal)), min(abs(wi.z), 0.05));
+  const vec3 f = evalBsdf(b, wo, wi, pdf) / max(cosine, 1e-6);
   return f * unpackFlux(texelFetch(mapFlux, int(photon)).xy) * epanechnikov(dot(offset, offset), radius);
 }
 
@@ -50,8 +53,9 @@ void main() {
   const Surface s = loadSurface(vertex.triangle, vec2(vertex.u, vertex.v), vertex.direction);
   float radius = vertex.radius;
   if (radius <= 0.0) {
-    if (push.isGlobal != 0u) radius = lookupRadius(requiredDensity(params.globalMap, s.position, s.geometricNormal));
-    else radius = lookupRadius(requiredDensity(params.causticMap, s.position, s.geometricNormal));
+    MapSettings map = params.causticMap;
+    if (push.isGlobal != 0u) map = params.globalMap;
+    radius = lookupRadius(lookupDensity(map, s.position, s.geometricNormal));
   }
   const vec3 light = vertex.throughput * reflectedRadiance(s, vertex.direction, radius);
   // kPathLookupDeep: the vertex was reached by a gather ray.

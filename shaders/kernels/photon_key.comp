@@ -1,10 +1,9 @@
 #version 460
-// Cells of the stored photons. While the map is built they lie at the level of their quota radius; the finished
-// map puts them one level coarser, at that of the lookup radius, which is twice as large.
+// Cells of the stored photons: while the map is built, at the level of their quota radius; when it is finished, at
+// that of the radius with which it will be read there.
 #extension GL_GOOGLE_include_directive : require
+#include "bindings/importance.glsl"
 #include "bindings/photons.glsl"
-#include "lib/grid.glsl"
-#include "lib/map_point.glsl"
 
 layout(scalar, binding = kBindingKeysOut) writeonly buffer KeysBlock { uint keys[]; };
 layout(push_constant, scalar) uniform PushBlock { PhotonKeyPush push; };
@@ -13,10 +12,14 @@ void main() {
   const uint i = invocationIndex();
   if (i >= counters[kCounterStored]) return;
   MapPoint point = photonPoints[i];
-  const uint own = mapPointLevel(point.packed);
-  const uint level = own - min(own, push.levelShift);
-  if (push.levelShift != 0u) photonPoints[i].packed = withMapPointLevel(point.packed, level);
   const GridFrame frame = GridFrame(params.gridOrigin, params.gridExtent, push.slotMask);
+  uint level = mapPointLevel(point.packed);
+  if (push.isFinished != 0u) {
+    MapSettings map = params.causticMap;
+    if (push.isGlobal != 0u) map = params.globalMap;
+    level = gridLevel(frame, lookupRadius(lookupDensity(map, point.position, mapPointNormal(point.packed))));
+    photonPoints[i].packed = withMapPointLevel(point.packed, level);
+  }
   atomicOr(counters[kCounterStoredLevels], 1u << level);
   keys[i] = gridSlot(frame, gridCellOf(frame, point.position, level), level);
 }

@@ -1,5 +1,5 @@
-// Importance Γ at a point: that of a near importon with a like normal. The kernel defines the grid accessors of
-// lib/grid.glsl for the importons, `uvec4 importonPoint(uint index)` and `float importonImportance(uint index)`.
+// The importon that speaks for a point: a near one with a like normal. The kernel defines
+// `uvec2 importonCell(uint slot)` and `uvec4 importonPoint(uint index)` before including this file.
 #ifndef IMPORTON_LIB_IMPORTANCE_GLSL
 #define IMPORTON_LIB_IMPORTANCE_GLSL
 #include "lib/grid.glsl"
@@ -8,9 +8,9 @@
 
 const uint kImportonCandidates = 12u;  // of a cell that are looked at
 
-/// Γ in pixels/m² at `position` on a surface of `normal`; 0 where no importon is near. `levels`: a bit for each
-/// grid level in use. The finest level that holds a like importon in the cell decides.
-float importanceAt(GridFrame frame, uint levels, vec3 position, vec3 normal) {
+/// Index of the importon whose importance holds at `position` on a surface of `normal`; kNone where none is near.
+/// `levels`: a bit for each grid level in use. The finest level that holds a like importon in the cell decides.
+uint importonAt(GridFrame frame, uint levels, vec3 position, vec3 normal) {
   while (levels != 0u) {
     const uint level = uint(findMSB(levels));
     levels ^= 1u << level;
@@ -18,7 +18,8 @@ float importanceAt(GridFrame frame, uint levels, vec3 position, vec3 normal) {
     const uvec2 range = importonCell(gridSlot(frame, cell, level));
     const uint end = min(range.y, range.x + kImportonCandidates);
     const float edge = gridCellEdge(frame, level);
-    float nearest = 3.0e38, importance = -1.0;
+    float nearest = 3.0e38;
+    uint found = kNone;
     for (uint i = range.x; i < end; ++i) {
       const uvec4 point = importonPoint(i);
       const vec3 p = uintBitsToFloat(point.xyz);
@@ -28,12 +29,12 @@ float importanceAt(GridFrame frame, uint levels, vec3 position, vec3 normal) {
       const float d2 = dot(offset, offset);
       if (d2 < nearest && hasLikeNormal(point.w, normal, 0.7)) {
         nearest = d2;
-        importance = importonImportance(i);
+        found = i;
       }
     }
-    if (importance >= 0.0) return importance;
+    if (found != kNone) return found;
   }
-  return 0.0;
+  return kNone;
 }
 
 #endif

@@ -86,7 +86,7 @@ float lightProbability(uint count, uint index, vec3 x, float weightSum) {
 }
 
 float spotFalloff(Light light, float cosine) {
-  const float t = clamp((cosine - light.cosOuter) / max(light.cosInner - light.cosOuter, 1e-4), 0.0, 1.0);
+  const float t = clamp((cosine - light.cosOuter) / max(light.cosInner - light.cosOuter, 1e-9), 0.0, 1.0);
   return t * t;  // KHR_lights_punctual
 }
 

@@ -69,6 +69,8 @@ SHARED_CONST uint kBindingAov = 51;            // storage, float[]
 SHARED_CONST uint kBindingSelectedPoints = 53; // storage, MapPoint[]: of the selection, with their grid level
 SHARED_CONST uint kBindingNeighbours = 54;     // storage, uint[]: photons within the quota radius of each hit
 SHARED_CONST uint kBindingWeightsOut = 55;     // storage, float[]: pixels that each importon carries, in cell order
+SHARED_CONST uint kBindingImportonHits = 57;   // texel uint1: hits near each importon in all passes so far
+SHARED_CONST uint kBindingImportonHitsOut = 58;  // storage: the same
 SHARED_CONST uint kBindingWeights = 56;        // texel float1: the same
 SHARED_CONST uint kBindingPathLight = 52;      // storage, PathLight[], by slot
 

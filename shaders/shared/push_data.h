@@ -107,7 +107,8 @@ struct PhotonEmitPush {
 
 /// kernels/photon_key.comp
 struct PhotonKeyPush {
-  uint levelShift;
+  uint isFinished;
+  uint isGlobal;
   uint slotMask;
 };
 

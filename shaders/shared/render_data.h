@@ -12,6 +12,7 @@ struct MapSettings {
   float densityFloor;     // photons/m²: least required density; the largest radius follows
   uint importonLevels;    // grid levels that importons are in, a bit each
   uint recordMask;        // kRecordCaustic or kRecordGlobal
+  float importonFlux;     // pixels that each importon of the map started with
 };
 
 /// The same for every kernel of a pass. Lengths in m, render space.

@@ -15,6 +15,7 @@ ImportanceMap makeMap(gpu::Context& context, const char* name, std::uint64_t cap
   map.grid = PointGrid(context, name, capacity);
   map.importance = gpu::Buffer(context, std::string(name) + " importance", capacity * sizeof(float),
                                gpu::TexelFormat::float1);
+  map.hits = gpu::Buffer(context, std::string(name) + " hits", capacity * sizeof(uint), gpu::TexelFormat::uint1);
   return map;
 }
 
@@ -63,6 +64,7 @@ void estimateImportance(const Stage& stage, uint levels, uint count, uint neares
 void buildMap(const Stage& stage, ImportanceMap& map, MapKind kind, uint nearest) {
   map.levels = selectImportons(stage, kind, map.grid, nearest);
   map.count = readCounter(stage, kCounterSelected);
+  stage.recorder.fill(map.hits, 0);
   if (map.count == 0) {
     stage.recorder.fill(map.grid.cells, 0);
     return;
@@ -89,6 +91,8 @@ void ImportanceMap::bind(gpu::BindingTable& table) const {
   table.set(kBindingImportonPoints, grid.points);
   table.set(kBindingImportonOrder, grid.order);
   table.set(kBindingImportance, importance);
+  table.set(kBindingImportonHits, hits);
+  table.set(kBindingImportonHitsOut, hits);
 }
 
 ImportanceMaps makeImportanceMaps(gpu::Context& context, std::uint64_t importons) {
@@ -100,7 +104,7 @@ void buildImportance(const Stage& stage, Parameters& parameters, ImportanceMaps&
   for (const bool knowsImportance : {false, true}) {
     // The first round only has to tell short gather segments from long ones.
     const std::uint32_t count = knowsImportance ? importons : std::max(importons / 4, 1u);
-    parameters.importonFlux =
+    parameters.globalMap.importonFlux = parameters.causticMap.importonFlux = parameters.importonFlux =
         static_cast<float>(parameters.width) * static_cast<float>(parameters.height) / static_cast<float>(count);
     stage.work.parameters.upload(std::span<const Parameters>(&parameters, 1));
     stage.recorder.fill(stage.work.counters, 0);

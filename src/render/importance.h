@@ -15,6 +15,7 @@ enum class MapKind { caustic, global };
 struct ImportanceMap {
   PointGrid grid;
   gpu::Buffer importance;  // float per site, in cell order
+  gpu::Buffer hits;        // uint per site: photon hits near it in all passes so far
   uint levels = 0;         // grid levels in use, a bit each
   std::uint64_t count = 0;  // importons
 

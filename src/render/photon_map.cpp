@@ -69,7 +69,7 @@ void PhotonMap::addBatch(const Stage& stage, const ImportanceMap& importance, De
   }
   store(stage, table);
   if (isControlled) {
-    buildStoredGrid(stage, false);
+    buildStoredGrid(stage, importance, false);
     bindStored(table, stored_);
     overItems(stage, kernels.photonRedistribute, table, kCounterSelected, PhotonRedistributePush{receivers});
     store(stage, table);  // those without a receiver
@@ -80,19 +80,21 @@ void PhotonMap::addBatch(const Stage& stage, const ImportanceMap& importance, De
   setCounter(stage, counter(kMapRedistributed), 0, counter(kMapRedistributed), kCounterRedistributed);
 }
 
-void PhotonMap::buildStoredGrid(const Stage& stage, bool isFinished) {
+void PhotonMap::buildStoredGrid(const Stage& stage, const ImportanceMap& importance, bool isFinished) {
   gpu::BindingTable table = stage.work.table;
+  importance.bind(table);
   table.set(kBindingPhotonPoints, points_);
   table.set(kBindingPhotonFlux, flux_);
   table.set(kBindingKeysOut, stage.work.keysA);
   setCounter(stage, kCounterStoredLevels, 0);
-  overItems(stage, stage.kernels.photonKey, table, kCounterStored, PhotonKeyPush{isFinished, stored_.slotMask});
+  overItems(stage, stage.kernels.photonKey, table, kCounterStored, 
+            PhotonKeyPush{isFinished, kind_ == MapKind::global, stored_.slotMask});
   buildGrid(stage, stored_, kCounterStored, points_);
 }
 
-void PhotonMap::finish(const Stage& stage) {
+void PhotonMap::finish(const Stage& stage, const ImportanceMap& importance) {
   setCounter(stage, kCounterStored, 0, counter(kMapStored));
-  buildStoredGrid(stage, true);
+  buildStoredGrid(stage, importance, true);
   setCounter(stage, counter(kMapLevels), 0, kCounterStoredLevels);
   gpu::BindingTable table = stage.work.table;
   table.set(kBindingPhotonPoints, points_);

@@ -25,7 +25,7 @@ class PhotonMap {
   /// Takes the batch of hits in the workspace's records.
   void addBatch(const Stage& stage, const ImportanceMap& importance, DensityControl control, uint receivers);
   /// Sorts the photons for lookups.
-  void finish(const Stage& stage);
+  void finish(const Stage& stage, const ImportanceMap& importance);
   /// Number of the counter that has the finished map's grid levels.
   [[nodiscard]] uint levelsCounter() const { return counter(kMapLevels); }
   /// Binds the finished map for map_lookup.
@@ -36,7 +36,7 @@ class PhotonMap {
 
  private:
   void store(const Stage& stage, gpu::BindingTable& table);
-  void buildStoredGrid(const Stage& stage, bool isFinished);
+  void buildStoredGrid(const Stage& stage, const ImportanceMap& importance, bool isFinished);
   [[nodiscard]] uint counter(uint which) const;
 
   MapKind kind_;

@@ -98,8 +98,8 @@ void RenderSession::shootPhotons(int pass) {
     globalMap_->addBatch(*stage_, importance_.global, job_.control, plan_.receivers);
     if (causticMap_) causticMap_->addBatch(*stage_, importance_.caustic, job_.control, plan_.receivers);
   }
-  globalMap_->finish(*stage_);
-  if (causticMap_) causticMap_->finish(*stage_);
+  globalMap_->finish(*stage_, importance_.global);
+  if (causticMap_) causticMap_->finish(*stage_, importance_.caustic);
   submit(stats_.seconds.photons);
 }
 
@@ -183,6 +183,7 @@ void RenderSession::finishStats(int passes) {
   stats_.height = size_.y;
   stats_.passes = passes;
   stats_.devicePeakBytes = context_->peakBytes();
+  for (const std::string& message : context_->takeValidationMessages()) log_.warn("validation", message);
   if (globalMap_) stats_.photonMapBytes = globalMap_->bytes() + (causticMap_ ? causticMap_->bytes() : 0);
   for (const gpu::KernelTime& t : recorder_->times())
     stats_.kernels.push_back({t.label, t.launches, t.milliseconds});
