@@ -9,6 +9,8 @@ uint eyeStream(uint id) {
   return hashCombine(hashCombine(params.seed, kStreamPixels), id);
 }
 
-uint eyeIndex(uint id) { return kEyeMode == kEyeImportons ? id : params.pass; }
+uint eyeIndex(uint id) {
+  return kEyeMode == kEyeImportons ? id : params.pass * params.samplesPerPass + counters[kCounterSample];
+}
 
 #endif

@@ -39,6 +39,7 @@ struct Parameters {
   float lookupPhotons;       // M: photons within a lookup radius where the map has its required density
   float quotaPhotons;        // Q: photons within a quota radius
   uint photonsPerPass;
+  uint samplesPerPass;       // camera paths, and so gather rays, of each pixel in a pass
   float densityScale;        // growth of D_r over passes
   uint cameraMedium;         // material of the solid that the camera is in, kNone: none
   float importonFlux;        // pixels that each importon starts with
@@ -169,6 +170,7 @@ SHARED_CONST uint kCounterLevels = 11u;       // grid levels of the importons or
 SHARED_CONST uint kCounterRedistributed = 12u;  // hits of the map at work that gave their power away
 SHARED_CONST uint kCounterSites = 15u;         // importons at which importance is estimated
 SHARED_CONST uint kCounterStoredLevels = 14u;   // grid levels of the stored photons at work, a bit each
+SHARED_CONST uint kCounterSample = 32u; // camera path of each pixel at work in this pass
 SHARED_CONST uint kCounterAccepted = 13u;       // hits accepted now
 // What each map keeps between batches: kCounterMap + kCountersPerMap · (0 caustic, 1 global) + which.
 SHARED_CONST uint kCounterMap = 16u;

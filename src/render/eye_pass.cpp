@@ -59,10 +59,11 @@ void traceImportons(const Stage& stage, const ImportanceMap& global, std::uint32
   setCounter(stage, kCounterRaysClosest, 0, kCounterRaysClosest, kCounterRecords);
 }
 
-void traceImage(const Stage& stage, const EyeMaps& maps, uint first, uint count, uint maxDepth,
+void traceImage(const Stage& stage, const EyeMaps& maps, uint sample, uint first, uint count, uint maxDepth,
                 const gpu::Buffer& film, uint filmOffset) {
   gpu::BindingTable table = stage.work.table;
   maps.importance->global.bind(table);
+  setCounter(stage, kCounterSample, sample);
   Queues queues = startQueues(stage, stage.kernels.eyeEmit, table, EyeEmitPush{first, count, 0, 0});
   for (uint depth = 0; depth <= maxDepth; ++depth) {
     table.set(kBindingQueue, *queues.now);

@@ -17,9 +17,9 @@ struct EyeMaps {
   const PhotonMap* global = nullptr;
 };
 
-/// One path for each of the pixels `first` .. `first + count`; adds what they bring to `film` from FilmPixel
-/// `filmOffset` on.
-void traceImage(const Stage& stage, const EyeMaps& maps, uint first, uint count, uint maxDepth,
+/// One path, the pass's `sample`-th, for each of the pixels `first` .. `first + count`; adds what they bring to `film`
+/// from FilmPixel `filmOffset` on.
+void traceImage(const Stage& stage, const EyeMaps& maps, uint sample, uint first, uint count, uint maxDepth,
                 const gpu::Buffer& film, uint filmOffset);
 
 /// Rays through the middle of the pixels, and the AOV buffer (kAovFloats per pixel) from what they hit.

@@ -56,7 +56,7 @@ double estimateError(const HalfMeans& means) {
 HalfMeans indirectMeans(std::span<const FilmPixel> halves, const FilmReading& reading, float perEven, float perOdd) {
   const std::size_t pixels = halves.size() / 2;
   if (reading.filtersIndirect && reading.passes >= 2) {
-    FilteredIndirect filtered = filterIndirect(halves, reading.width, reading.passes, reading.threads);
+    FilteredIndirect filtered = filterIndirect(halves, {reading.width, reading.passes, reading.samples}, reading.threads);
     return {std::move(filtered.even), std::move(filtered.odd)};
   }
   HalfMeans means{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
@@ -71,10 +71,11 @@ HalfMeans indirectMeans(std::span<const FilmPixel> halves, const FilmReading& re
 
 FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& reading) {
   const std::size_t pixels = halves.size() / 2;
-  const int passes = reading.passes;
+  const int passes = reading.passes * reading.samples;
+  const int evenPasses = (reading.passes + 1) / 2 * reading.samples;
   const auto inverse = [](int n) { return n > 0 ? 1.0f / static_cast<float>(n) : 0.0f; };
-  const float scale = inverse(passes), perEven = inverse((passes + 1) / 2), perOdd = inverse(passes / 2);
-  const float evenShare = static_cast<float>((passes + 1) / 2) * scale;
+  const float scale = inverse(passes), perEven = inverse(evenPasses), perOdd = inverse(passes - evenPasses);
+  const float evenShare = static_cast<float>(evenPasses) * scale;
   HalfMeans means = indirectMeans(halves, reading, perEven, perOdd);
   FilmLayers layers;
   for (auto* layer : {&layers.total, &layers.direct, &layers.caustic, &layers.indirect, &layers.variance})
@@ -91,7 +92,7 @@ FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& rea
     means.even[i] += (a.direct + a.caustic) * perEven;
     means.odd[i] += (b.direct + b.caustic) * perOdd;
   }
-  if (passes >= 2) layers.estimatedError = estimateError(means);
+  if (reading.passes >= 2) layers.estimatedError = estimateError(means);
   return layers;
 }
 

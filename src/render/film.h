@@ -39,6 +39,7 @@ struct FilmLayers {
 struct FilmReading {
   int width = 1;
   int passes = 0;                // dealt to the halves in turn, the even half first
+  int samples = 1;               // per pixel in each pass
   bool filtersIndirect = false;  // shares irradiance among pixels: render/indirect_filter.h
   int threads = 0;
 };

@@ -115,14 +115,16 @@ vec3 modulate(const FilmPixel& a, const FilmPixel& b, vec3 irradiance, int passe
 
 }  // namespace
 
-FilteredIndirect filterIndirect(std::span<const FilmPixel> film, int width, int passes, int threads) {
+FilteredIndirect filterIndirect(std::span<const FilmPixel> film, const FilmShape& shape, int threads) {
+  const int width = shape.width, passes = shape.passes * shape.samples;
   const std::size_t pixels = film.size() / 2;
   Halves h{film.first(pixels), film.last(pixels), width, static_cast<int>(pixels) / width, std::vector<Guide>(pixels)};
   for (std::size_t i = 0; i < pixels; ++i) h.guides[i] = makeGuide(h.even[i], h.odd[i]);
 
   std::vector<float> best(pixels);
   FilteredIndirect result{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
-  const float perEven = static_cast<float>((passes + 1) / 2), perOdd = static_cast<float>(passes / 2);
+  const float perEven = static_cast<float>((shape.passes + 1) / 2 * shape.samples);
+  const float perOdd = static_cast<float>(passes) - perEven;
   for (const int radius : kRadii) {
     std::vector<Estimate> estimates(pixels);
     std::vector<float> residuals(pixels);

@@ -7,6 +7,11 @@
 
 namespace importon {
 
+/// How the film was filled.
+struct FilmShape {
+  int width = 1, passes = 0, samples = 1;  // samples per pixel in each pass
+};
+
 /// Filtered indirect light of both halves, with its modulation, per pixel: means over passes.
 struct FilteredIndirect {
   std::vector<vec3> even, odd;
@@ -16,7 +21,7 @@ struct FilteredIndirect {
 /// plane with like normals. The radius of each pixel, from 0 on, is the one whose disc in the one half predicts the
 /// other half best, over a window around it: noise lowers with the radius, bias rises, and as the noise goes to
 /// zero so does the radius. Direct and caustic light are untouched. `halves`: even passes, then odd ones, each
-/// width · height pixels; `passes` in all, at least 2.
-[[nodiscard]] FilteredIndirect filterIndirect(std::span<const FilmPixel> halves, int width, int passes, int threads);
+/// width · height pixels; at least 2 passes.
+[[nodiscard]] FilteredIndirect filterIndirect(std::span<const FilmPixel> halves, const FilmShape& shape, int threads);
 
 }  // namespace importon

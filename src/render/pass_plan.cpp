@@ -36,6 +36,7 @@ PassPlan planPasses(const RenderJob& job, glm::ivec2 size, const gpu::Limits& li
   plan.tilePixels = std::min<std::uint64_t>(pixels, 1u << 18);
   plan.maxPasses = job.passes.value_or(job.seconds ? 1 << 20 : 64);
   plan.workspace.slots = plan.tilePixels;
+  plan.samples = static_cast<std::uint32_t>(job.gather.value_or(1));
   plan.receivers = static_cast<uint>(job.redistribute);
   if (job.integrator == Integrator::path) {
     plan.importons = 1;
@@ -44,8 +45,11 @@ PassPlan planPasses(const RenderJob& job, glm::ivec2 size, const gpu::Limits& li
     return plan;
   }
   plan.photons = job.photons.value_or(static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pixels, 1u << 16, 1u << 20)));
-  plan.batch = std::min(plan.photons, job.photonBatch.value_or(limits.isCpu ? 1u << 16 : 1u << 18));
+  const std::uint64_t mostRecords = limits.maxStorageBufferRange / sizeof(MapPoint);
+  plan.batch = std::min({plan.photons, job.photonBatch.value_or(limits.isCpu ? 1u << 16 : 1u << 18),
+                         static_cast<std::uint32_t>(std::max<std::uint64_t>(mostRecords / events, 1))});
   plan.importons = job.importons.value_or(static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pixels, 1u << 14, 1u << 16)));
+  plan.importons = std::min(plan.importons, static_cast<std::uint32_t>(std::max<std::uint64_t>(mostRecords / events, 1)));
   const std::uint64_t heapShare = job.memoryMiB ? *job.memoryMiB << 20 : limits.heapBytes / 4;
   const std::uint64_t byRange = limits.maxStorageBufferRange / 24;
   plan.mapCapacity = std::min({plan.photons * events, heapShare / (2 * kBytesPerPhoton), byRange});
@@ -78,6 +82,7 @@ Parameters makeParameters(const RenderJob& job, const Scene& scene, const PassPl
   p.totalPower = static_cast<float>(power);
   p.seed = job.seed;
   p.photonsPerPass = plan.photons;
+  p.samplesPerPass = plan.samples;
   p.maxDepth = static_cast<uint>(job.maxDepth);
   p.fluxScale = chooseFluxScale(power, job.maxDepth);
   p.lookupPhotons = static_cast<float>(kLookupPhotons);

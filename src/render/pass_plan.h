@@ -10,6 +10,7 @@ struct PassPlan {
   std::uint32_t photons = 0;    // emitted per pass; 0: no maps
   std::uint32_t batch = 0;      // traced at once
   std::uint32_t importons = 0;
+  std::uint32_t samples = 1;    // camera paths, and so gather rays, per pixel and pass
   uint nearestImportons = 32;   // M of the importance estimate
   uint receivers = 1;           // M'
   std::uint64_t tilePixels = 0;

@@ -10,6 +10,7 @@
 #include "render/features.h"
 #include "render/photon_pass.h"
 #include "shared/bindings.h"
+#include "shared/ray_data.h"
 
 namespace importon {
 namespace {
@@ -115,7 +116,8 @@ EyeMaps RenderSession::eyeMaps() const {
 void RenderSession::gatherImage(int pass) {
   for (const FilmTile& tile : film_->tiles()) {
     const uint half = pass % 2 == 0 ? 0 : tile.count;
-    traceImage(*stage_, eyeMaps(), tile.first, tile.count, parameters_.maxDepth, tile.pixels, half);
+    for (uint sample = 0; sample < plan_.samples; ++sample)
+      traceImage(*stage_, eyeMaps(), sample, tile.first, tile.count, parameters_.maxDepth, tile.pixels, half);
   }
   submit(stats_.seconds.gather);
 }
@@ -137,6 +139,8 @@ void RenderSession::countPass(int) {
   const auto counters = work_->counters.download<uint>(kCounterCount);
   stats_.closestRays += counters[kCounterRaysClosest];
   stats_.shadowRays += counters[kCounterRaysShadow];
+  if (counters[kCounterTraceUnfinished] > 0)
+    log_.warn("rays given up", fmt::format("{} rays were too long for this device", counters[kCounterTraceUnfinished]));
   if (!hasMaps()) return;
   stats_.photonsEmitted += plan_.photons;
   addCounts(stats_.global, globalMap_->readCounts(*stage_, parameters_.fluxScale), "global");
@@ -144,7 +148,8 @@ void RenderSession::countPass(int) {
 }
 
 FilmLayers RenderSession::readFilm(int passes) const {
-  return resolveFilm(film_->download(), {size_.x, passes, job_.filtersIndirect && hasMaps(), job_.threads});
+  return resolveFilm(film_->download(), {size_.x, passes, static_cast<int>(plan_.samples),
+                                         job_.filtersIndirect && hasMaps(), job_.threads});
 }
 
 Image RenderSession::resolve(int passes) {
