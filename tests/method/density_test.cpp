@@ -1,0 +1,132 @@
+// Stored density follows required density, whatever the batches; and the controlled map holds all power.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "method/map_rig.h"
+#include "method/render_scene.h"
+#include "support/gpu_test.h"
+#include "support/scene_builder.h"
+
+namespace importon {
+namespace {
+
+using glm::dvec3;
+using test::SceneBuilder;
+
+/// A plane of 2 x 2 m in light from straight above, which each photon hits once; the camera above it.
+Scene plane(float albedo = 0.5f, double irradiance = 1) {
+  SceneBuilder builder;
+  builder.square(builder.material(test::diffuse(vec3(albedo))), {0, 0, 0}, {0, 1, 0}, 2);
+  builder.directionalLight({0, -1, 0}, vec3(static_cast<float>(irradiance)));
+  builder.camera({0, 2, 0}, {0, 0, 0}, 0.5, 32, 32, {0, 0, -1});
+  return builder.finish();
+}
+
+RenderJob planeJob(double density, std::uint32_t photons = 1u << 18) {
+  RenderJob job;
+  job.passes = 1;
+  job.photons = photons;
+  job.importons = 1u << 14;
+  job.maxDepth = 3;
+  job.constantDensity = density;
+  return job;
+}
+
+class DensityControlTest : public test::GpuTest {};
+
+TEST_F(DensityControlTest, StoresTheRequiredDensityEverywhere) {
+  const double density = 4000;  // photons/m²; 40,000 arrive
+  const Scene scene = plane();
+  test::MapRig rig(context(), scene, planeJob(density));
+  const PhotonMap map = rig.shoot(MapKind::global, DensityControl::density, 1);
+  constexpr int kSide = 8;  // cells across the inner 1.6 m: 160 photons each
+  std::vector<int> cells(kSide * kSide);
+  for (const MapPoint& photon : rig.photons(map)) {
+    const int x = static_cast<int>(std::floor((photon.position.x + 0.8f) / 0.2f));
+    const int z = static_cast<int>(std::floor((photon.position.z + 0.8f) / 0.2f));
+    if (x >= 0 && x < kSide && z >= 0 && z < kSide) ++cells[static_cast<std::size_t>(x * kSide + z)];
+  }
+  for (const int count : cells) {
+    EXPECT_GT(count / 0.04, 0.9 * density);
+    EXPECT_LT(count / 0.04, 1.4 * density);
+  }
+}
+
+// One batch counts all hits before a hit, so it stores D_r; many small ones count stored photons only, and fill the
+// gaps between them up to a third more.
+TEST_F(DensityControlTest, StoresTheRequiredDensityInBatchesOfAnySize) {
+  const Scene scene = plane();
+  constexpr double kRequired = 4000 * 2 * 2;
+  for (const std::uint32_t batch : {1u << 12, 1u << 15, 1u << 18}) {
+    RenderJob job = planeJob(4000);
+    job.photonBatch = batch;
+    test::MapRig rig(context(), scene, job);
+    const PhotonMapCounts counts = rig.counts(rig.shoot(MapKind::global, DensityControl::density, 1));
+    EXPECT_GT(static_cast<double>(counts.stored) / kRequired, 0.9) << "batches of " << batch;
+    EXPECT_LT(static_cast<double>(counts.stored) / kRequired, 1.4) << "batches of " << batch;
+    EXPECT_TRUE(counts.isEnergyExact) << "batches of " << batch;
+  }
+}
+
+TEST_F(DensityControlTest, FollowsImportance) {
+  const Scene scene = plane();
+  RenderJob job = planeJob(0);
+  job.constantDensity.reset();
+  job.globalDensity = 1.5;
+  job.forcesAllFeatures = true;
+  job.causticDensity = 2;
+  test::MapRig rig(context(), scene, job);
+  rig.findImportance();
+  // Seen straight from above: 2 photons a pixel, and 1024 pixels see (2·2·tan 0.25)² m².
+  rig.parameters.globalMap.photonsPerPixel = 2;
+  rig.importance.global = std::move(rig.importance.caustic);
+  rig.parameters.globalMap.importonLevels = rig.parameters.causticMap.importonLevels;
+  const PhotonMap map = rig.shoot(MapKind::global, DensityControl::density, 1);
+  const double half = 0.8 * 2 * std::tan(0.25);
+  int seen = 0;
+  for (const MapPoint& p : rig.photons(map)) seen += std::max(std::abs(p.position.x), std::abs(p.position.z)) < half;
+  const double expected = 2 * 1024 * 0.8 * 0.8;
+  EXPECT_GT(seen, 0.9 * expected);
+  EXPECT_LT(seen, 1.4 * expected);
+}
+
+TEST_F(DensityControlTest, StoresNoMoreThanItsCapacity) {
+  const Scene scene = plane();
+  test::MapRig rig(context(), scene, planeJob(1e9));
+  const PhotonMapCounts counts = rig.counts(rig.shoot(MapKind::global, DensityControl::density, 1, 5000));
+  EXPECT_EQ(counts.stored, 5000u);
+  EXPECT_EQ(counts.overflow, counts.hits - 5000 - counts.redistributed);
+}
+
+TEST_F(DensityControlTest, OfAnImmenseDensityGivesTheUncontrolledImageBitForBit) {
+  SceneBuilder builder;
+  const uint white = builder.material(test::diffuse(vec3(0.7f)));
+  builder.box(white, {-1, -1, -1}, {1, 1, 1}, test::Facing::inside);
+  builder.square(builder.material(test::emitter(vec3(5))), {0, 0.99, 0}, {0, -1, 0}, 0.5);
+  builder.camera({0, 0, 0.9}, {0, 0, 0}, 1.0, 24, 24);
+  const Scene room = builder.finish();
+  RenderJob job = planeJob(0, 1u << 13);
+  job.passes = 2;
+  job.constantDensity = 2e5;  // a hundred times what arrives: lookups still meet photons, quotas never fill
+  const RenderResult controlled = test::renderScene(room, job);
+  job.control = DensityControl::off;
+  const RenderResult uncontrolled = test::renderScene(room, job);
+  ASSERT_EQ(controlled.stats.global.redistributed, 0u);
+  EXPECT_GT(test::meanOf(uncontrolled), 0);
+  for (const char* name : {"R", "G", "B"}) EXPECT_EQ(test::channel(controlled, name), test::channel(uncontrolled, name));
+}
+
+TEST_F(DensityControlTest, OfAVanishingDensityKeepsAllPowerAndStaysFinite) {
+  const Scene scene = plane();
+  RenderJob job = planeJob(1e-30, 1u << 14);
+  const RenderResult result = test::renderScene(scene, job);
+  EXPECT_EQ(result.stats.global.fluxHits, result.stats.global.fluxMap);
+  EXPECT_GT(result.stats.global.redistributed, result.stats.global.stored * 100);
+  for (const char* name : {"R", "G", "B"})
+    for (const float v : test::channel(result, name)) ASSERT_TRUE(std::isfinite(v) && v >= 0);
+}
+
+}  // namespace
+}  // namespace importon
