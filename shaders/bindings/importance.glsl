@@ -56,7 +56,7 @@ float lookupDensity(MapSettings map, vec3 position, vec3 normal) {
 /// Radius of the lookup that holds M photons where the map has its required density, m.
 float lookupRadius(float required) { return radiusHolding(params.lookupPhotons, required, params.gridExtent); }
 
-/// Radius of the quota: half of it, so a quarter of the photons (Q), m.
+/// Radius of the quota: holds Q photons, m.
 float quotaRadius(float required) { return radiusHolding(params.quotaPhotons, required, params.gridExtent); }
 
 #endif

@@ -6,8 +6,9 @@
 namespace importon {
 namespace {
 
-constexpr double kLookupPhotons = 32;       // M of a lookup; Q is a quarter of it
-constexpr double kLargestLookup = 0.04;     // radius over the scene's largest side
+constexpr double kLookupPhotons = 20;       // M of a lookup
+constexpr double kQuotaPhotons = 8;         // Q
+constexpr double kLargestLookup = 0.025;     // radius over the scene's largest side
 constexpr std::uint64_t kBytesPerPhoton = 96;  // stored, sorted and finished, with its share of the cells
 constexpr uint kImportonLevels = 21;        // grid levels at which an importon may stand
 
@@ -86,7 +87,7 @@ Parameters makeParameters(const RenderJob& job, const Scene& scene, const PassPl
   p.maxDepth = static_cast<uint>(job.maxDepth);
   p.fluxScale = chooseFluxScale(power, job.maxDepth);
   p.lookupPhotons = static_cast<float>(kLookupPhotons);
-  p.quotaPhotons = static_cast<float>(kLookupPhotons / 4);
+  p.quotaPhotons = static_cast<float>(kQuotaPhotons);
   p.densityScale = 1;
   p.importonFlux = 1;
   p.causticMap = mapSettings(job, job.causticDensity, kRecordCaustic, longest);
