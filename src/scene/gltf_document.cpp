@@ -24,14 +24,18 @@ nlohmann::json parseJson(std::string_view text, const GltfSource& source) {
   }
 }
 
-/// Older versions have another structure: this comes before all else, which is left to checkSchema.
+/// Other versions have another structure: this comes before all else, which is left to checkSchema.
 void checkVersion(const nlohmann::json& document, const GltfSource& source) {
-  const nlohmann::json::json_pointer place("/asset/version");
-  if (!document.contains(place) || !document[place].is_string()) return;
-  const auto& version = document[place].get_ref<const std::string&>();
-  if (version.starts_with("2.")) return;
-  throw SceneError(fmt::format("the file has glTF version {}", printable(version)), source.at("/asset/version"),
-                   "convert it to glTF 2.0");
+  for (const char* pointer : {"/asset/version", "/asset/minVersion"}) {
+    const nlohmann::json::json_pointer place(pointer);
+    if (!document.contains(place) || !document[place].is_string()) continue;
+    const auto& version = document[place].get_ref<const std::string&>();
+    const bool isReadable =
+        std::string_view(pointer).ends_with("/version") ? version.starts_with("2.") : version == "2.0";
+    if (isReadable) continue;
+    throw SceneError(fmt::format("the file needs glTF version {}", printable(version)), source.at(pointer),
+                     "convert it to glTF 2.0");
+  }
 }
 
 /// Buffer views must lie in their buffers: tinygltf 2.7 hands images out of them without looking.

@@ -45,24 +45,44 @@ void applyTransform(const nlohmann::json& transform, Texture& texture) {
 
 }  // namespace
 
+void TextureTable::readSampler(int index, Texture& texture) const {
+  if (index < 0) return;
+  const auto element = static_cast<std::size_t>(index);
+  const tinygltf::Sampler& sampler = document_.model.samplers[element];
+  texture.wrapS = wrapOf(sampler.wrapS, document_.source, element, "wrapS");
+  texture.wrapT = wrapOf(sampler.wrapT, document_.source, element, "wrapT");
+  texture.isNearest = isNearest(sampler) ? 1u : 0u;
+}
+
+uint TextureTable::indexOf(const Texture& texture, std::size_t image) {
+  const Key key{image,
+                texture.wrapS,
+                texture.wrapT,
+                texture.isNearest,
+                texture.isSrgb,
+                texture.uvSet,
+                {texture.uvRow0.x, texture.uvRow0.y, texture.uvRow0.z, texture.uvRow1.x, texture.uvRow1.y,
+                 texture.uvRow1.z}};
+  const auto [entry, isNew] = indices_.emplace(key, static_cast<uint>(textures_.size()));
+  if (isNew) {
+    textures_.push_back(texture);
+    images_.push_back(image);
+  }
+  return entry->second;
+}
+
 uint TextureTable::use(const nlohmann::json& info, const std::string& pointer, ColorMeaning meaning) {
   if (!info.is_object()) return kNone;
-  const tinygltf::Model& model = document_.model;
-  const tinygltf::Texture& source = model.textures[static_cast<std::size_t>(integerOr(info, "index", 0))];
+  const tinygltf::Texture& source =
+      document_.model.textures[static_cast<std::size_t>(integerOr(info, "index", 0))];
   if (source.source < 0) {
     log_.warn("texture without image", fmt::format("{}: the texture names no PNG or JPEG and is passed over",
                                                    document_.source.at(pointer)));
     return kNone;
   }
   Texture texture{};
-  if (source.sampler >= 0) {
-    const auto index = static_cast<std::size_t>(source.sampler);
-    const tinygltf::Sampler& sampler = model.samplers[index];
-    texture.wrapS = wrapOf(sampler.wrapS, document_.source, index, "wrapS");
-    texture.wrapT = wrapOf(sampler.wrapT, document_.source, index, "wrapT");
-    texture.isNearest = isNearest(sampler) ? 1u : 0u;
-  }
   texture.isSrgb = meaning == ColorMeaning::srgb ? 1u : 0u;
+  readSampler(source.sampler, texture);
   const nlohmann::json& transform = member(info, "extensions", "KHR_texture_transform");
   applyTransform(transform, texture);
   const int uvSet = integerOr(transform, "texCoord", integerOr(info, "texCoord", 0));
@@ -72,25 +92,7 @@ uint TextureTable::use(const nlohmann::json& info, const std::string& pointer, C
         "texture coordinates beyond the second set",
         fmt::format("{}: TEXCOORD_{} is not read; TEXCOORD_0 stands in", document_.source.at(pointer), uvSet));
   }
-  const auto image = static_cast<std::size_t>(source.source);
-  const Key key{image,
-                texture.wrapS,
-                texture.wrapT,
-                texture.isNearest,
-                texture.isSrgb,
-                texture.uvSet,
-                texture.uvRow0.x,
-                texture.uvRow0.y,
-                texture.uvRow0.z,
-                texture.uvRow1.x,
-                texture.uvRow1.y,
-                texture.uvRow1.z};
-  const auto [entry, isNew] = indices_.emplace(key, static_cast<uint>(textures_.size()));
-  if (isNew) {
-    textures_.push_back(texture);
-    images_.push_back(image);
-  }
-  return entry->second;
+  return indexOf(texture, static_cast<std::size_t>(source.source));
 }
 
 }  // namespace importon

@@ -1,5 +1,6 @@
 /// Uses of images by materials.
 #pragma once
+#include <array>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -29,7 +30,11 @@ class TextureTable {
   [[nodiscard]] const std::vector<std::size_t>& images() const { return images_; }
 
  private:
-  using Key = std::tuple<std::size_t, uint, uint, uint, uint, uint, float, float, float, float, float, float>;
+  /// Image, sampler, colour meaning, UV set and transform.
+  using Key = std::tuple<std::size_t, uint, uint, uint, uint, uint, std::array<float, 6>>;
+  void readSampler(int index, Texture& texture) const;
+  [[nodiscard]] uint indexOf(const Texture& texture, std::size_t image);
+
   const GltfDocument& document_;
   Log& log_;
   std::vector<Texture> textures_;

@@ -36,13 +36,16 @@ using B = GltfBuilder;
 const Malformed kStructure[] = {
     {"NoAsset", [](B& b) { b.json.erase("asset"); }, "'asset' is missing", ""},
     {"NoVersion", [](B& b) { b.json["asset"].erase("version"); }, "'version' is missing", "/asset"},
-    {"OldVersion", [](B& b) { b.json["asset"]["version"] = "1.0"; }, "glTF version 1.0", "/asset/version"},
+    {"OldVersion", [](B& b) { b.json["asset"]["version"] = "1.0"; }, "needs glTF version 1.0",
+     "/asset/version"},
     {"OldVersionWithObjects",
      [](B& b) {
        b.json["asset"]["version"] = "1.0";
        b.json["meshes"] = Json::object();
      },
-     "glTF version 1.0", "/asset/version"},
+     "needs glTF version 1.0", "/asset/version"},
+    {"NewMinVersion", [](B& b) { b.json["asset"]["minVersion"] = "2.1"; }, "needs glTF version 2.1",
+     "/asset/minVersion"},
     {"VersionIsNumber", [](B& b) { b.json["asset"]["version"] = 2; }, "expected a string", "/asset/version"},
     {"MeshesIsObject", [](B& b) { b.json["meshes"] = Json::object(); }, "expected an array of objects",
      "/meshes"},
