@@ -1,0 +1,87 @@
+// Power handed over to stored photons: none is lost, none crosses a step of importance.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "method/map_rig.h"
+#include "support/gpu_test.h"
+#include "support/scene_builder.h"
+
+namespace importon {
+namespace {
+
+using test::SceneBuilder;
+
+/// A room with a white box in it, lit by two lamps of different colours.
+Scene room() {
+  SceneBuilder builder;
+  const uint white = builder.material(test::diffuse(vec3(0.75f)));
+  builder.box(white, {-1, -1, -1}, {1, 1, 1}, test::Facing::inside);
+  builder.box(builder.material(test::diffuse(vec3(0.2f, 0.5f, 0.7f))), {-0.5, -1, -0.5}, {0.1, 0, 0.1}, test::Facing::outside);
+  builder.square(builder.material(test::emitter(vec3(5, 3, 1))), {0.4, 0.99, 0}, {0, -1, 0}, 0.3);
+  builder.pointLight({-0.7, 0.7, 0.3}, vec3(0.1f, 0.2f, 0.3f));
+  builder.camera({0, 0, 0.9}, {0, 0, 0}, 1.0, 24, 24);
+  return builder.finish();
+}
+
+/// A beam onto a spot of 1 cm, much smaller than the largest quota radius.
+Scene beam() {
+  SceneBuilder builder;
+  builder.square(builder.material(test::diffuse(vec3(0.5f))), {0, 0, 0}, {0, 1, 0}, 2);
+  builder.spotLight({0, 1, 0}, {0, -1, 0}, vec3(3, 2, 1), 0.009, 0.01);
+  builder.camera({0, 1, 0}, {0, 0, 0}, 0.5, 16, 16, {0, 0, -1});
+  return builder.finish();
+}
+
+RenderJob job(std::uint32_t photons, double density) {
+  RenderJob made;
+  made.passes = 1;
+  made.photons = photons;
+  made.importons = 1u << 12;
+  made.maxDepth = 6;
+  made.constantDensity = density;
+  return made;
+}
+
+class Redistribution : public test::GpuTest {};
+
+TEST_F(Redistribution, KeepsAllPowerForAnyNumberOfReceivers) {
+  const Scene scene = room();
+  test::MapRig rig(context(), scene, job(1u << 15, 100));
+  for (const uint receivers : {1u, 4u, 20u}) {
+    const PhotonMapCounts counts = rig.counts(rig.shoot(MapKind::global, DensityControl::density, receivers));
+    EXPECT_TRUE(counts.isEnergyExact) << receivers << " receivers";
+    EXPECT_GT(counts.fluxHits[0], 0);
+    EXPECT_GT(counts.redistributed, 10 * counts.stored) << "little was redistributed";
+    EXPECT_EQ(counts.stored + counts.redistributed, counts.hits);
+  }
+}
+
+TEST_F(Redistribution, AddsAMillionTimesToOnePhotonExactly) {
+  const Scene scene = beam();
+  RenderJob many = job(1'100'000, 1e-3);
+  many.maxDepth = 1;
+  test::MapRig rig(context(), scene, many);
+  rig.parameters.quotaPhotons = 1;
+  const PhotonMapCounts counts = rig.counts(rig.shoot(MapKind::global, DensityControl::density, 1));
+  EXPECT_EQ(counts.stored, 1u);
+  EXPECT_GT(counts.redistributed, 1'000'000u);
+  EXPECT_TRUE(counts.isEnergyExact);
+  EXPECT_NEAR(counts.fluxMap[0] / counts.fluxMap[2], 3, 1e-4);
+}
+
+TEST_F(Redistribution, GivesTheSameMapInAnyBatches) {
+  const Scene scene = room();
+  std::array<double, 3> flux{};
+  for (const std::uint32_t batch : {1u << 12, 1u << 15}) {
+    RenderJob batched = job(1u << 15, 100);
+    batched.photonBatch = batch;
+    test::MapRig rig(context(), scene, batched);
+    const PhotonMapCounts counts = rig.counts(rig.shoot(MapKind::global, DensityControl::density, 1));
+    if (batch != 1u << 12) { EXPECT_EQ(counts.fluxMap, flux); }
+    flux = counts.fluxMap;
+  }
+}
+
+}  // namespace
+}  // namespace importon
