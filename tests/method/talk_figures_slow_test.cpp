@@ -1,0 +1,109 @@
+// The talk's figures: density control saves photons, not accuracy; and no light crosses a step of importance.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "method/render_scene.h"
+#include "scene/gltf_loader.h"
+#include "support/gpu_test.h"
+#include "support/statistics.h"
+
+namespace importon {
+namespace {
+
+class TalkFigures : public test::GpuTest {
+ protected:
+  static Scene load(const std::string& name) {
+    Log log(Log::Verbosity::quiet);
+    return loadGltf(std::filesystem::path(IMPORTON_SCENES) / name / (name + ".gltf"), log);
+  }
+
+  static RenderJob talkJob(int width, int height) {
+    RenderJob job;
+    job.width = width;
+    job.height = height;
+    job.passes = 1;
+    job.importons = 80'000;
+    job.photons = 400'000;
+    return job;
+  }
+};
+
+struct Pair {
+  RenderResult controlled, uncontrolled;
+};
+
+Pair renderBoth(const Scene& scene, RenderJob job) {
+  Pair pair;
+  job.control = DensityControl::density;
+  pair.controlled = test::renderScene(scene, job);
+  job.control = DensityControl::off;
+  pair.uncontrolled = test::renderScene(scene, job);
+  return pair;
+}
+
+double share(const PhotonMapStats& controlled, const PhotonMapStats& uncontrolled) {
+  return static_cast<double>(controlled.stored) / static_cast<double>(uncontrolled.stored);
+}
+
+/// Many passes without density control.
+RenderResult reference(const Scene& scene, RenderJob job, int passes) {
+  job.control = DensityControl::off;
+  job.passes = passes;
+  job.photons = 100'000;
+  job.seed = 1000;
+  return test::renderScene(scene, job);
+}
+
+TEST_F(TalkFigures, RoomsNeedASeventhOfTheGlobalPhotons) {
+  const Scene scene = load("rooms");
+  const RenderJob job = talkJob(96, 72);
+  const Pair pair = renderBoth(scene, job);
+  const RenderResult truth = reference(scene, job, 8);
+  const double part = share(pair.controlled.stats.global, pair.uncontrolled.stats.global);
+  const double error = test::relativeError(pair.controlled, truth), errorWithout = test::relativeError(pair.uncontrolled, truth);
+  const double mean = test::meanOf(pair.controlled) / test::meanOf(pair.uncontrolled);
+  std::printf("rooms: global photons %.4f (%llu of %llu), error %.5f against %.5f, mean %.4f\n", part,
+              static_cast<unsigned long long>(pair.controlled.stats.global.stored),
+              static_cast<unsigned long long>(pair.uncontrolled.stats.global.stored), error, errorWithout, mean);
+  EXPECT_LT(part, 1.0 / 7);
+  EXPECT_NEAR(mean, 1, 0.01);
+  EXPECT_LT(error, 1.15 * errorWithout);
+}
+
+TEST_F(TalkFigures, GlassNeedsHalfOfTheCausticPhotons) {
+  const Scene scene = load("glass_caustic");
+  // One photon in a hundred becomes a caustic one: only many photons for few pixels reach what these require.
+  RenderJob job = talkJob(16, 12);
+  job.photons = 1'200'000;
+  const Pair pair = renderBoth(scene, job);
+  const double part = share(pair.controlled.stats.caustic, pair.uncontrolled.stats.caustic);
+  const double mean = test::meanOf(pair.controlled) / test::meanOf(pair.uncontrolled);
+  std::printf("glass: caustic photons %.4f (%llu of %llu), mean %.4f\n", part,
+              static_cast<unsigned long long>(pair.controlled.stats.caustic.stored),
+              static_cast<unsigned long long>(pair.uncontrolled.stats.caustic.stored), mean);
+  EXPECT_LT(part, 0.5);
+  EXPECT_NEAR(mean, 1, 0.01);
+}
+
+TEST_F(TalkFigures, NoLightComesThroughTheDoorByRedistribution) {
+  const Scene scene = load("door_slit");
+  test::Moments ratios;
+  for (uint seed = 0; seed < 4; ++seed) {
+    RenderJob job;
+    job.width = job.height = 64;
+    job.passes = 4;
+    job.photons = 100'000;
+    job.importons = 1u << 14;
+    job.seed = seed;
+    const Pair pair = renderBoth(scene, job);
+    ratios.add(test::meanOf(pair.controlled) / test::meanOf(pair.uncontrolled));
+  }
+  std::printf("door_slit: mean ratio %.4f +- %.4f\n", ratios.mean(), ratios.standardError());
+  const bool isWithinOnePercent = std::abs(ratios.mean() - 1) < 0.01;
+  EXPECT_TRUE(isWithinOnePercent || test::tTest(ratios, 1).pValue > 0.01) << ratios.mean();
+}
+
+}  // namespace
+}  // namespace importon
