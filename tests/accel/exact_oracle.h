@@ -1,16 +1,17 @@
-/// What a ray's nearest hit may be, in double precision.
+/// What a ray's nearest hit may be when coordinates are rounded to floats.
 #pragma once
 #include "accel/meshes.h"
 
 namespace importon::test {
 
-/// The nearest surely hit point lies at `certain` (infinity: none). Points that the ray passes within rounding
-/// of an edge may count or not: the nearest such is at `possible`, which is at most `certain`.
+/// A traversal is right if it finds its hit between `possible` and `certain` (infinity: none). A triangle whose
+/// edges the ray passes at more than `rounding` times its distance, on the inside, is surely hit; one that it
+/// passes on the outside by less may be.
 struct NearestHit {
   double possible, certain;
 };
 
-/// Tests all triangles. `slack`: relative width of edges in barycentric weights, e.g. 1e-5.
-[[nodiscard]] NearestHit nearestHit(const Mesh& mesh, const Ray& ray, double slack);
+/// Tests all triangles in double precision. `rounding`: a few times 2^-24.
+[[nodiscard]] NearestHit nearestHit(const Mesh& mesh, const Ray& ray, double rounding);
 
 }  // namespace importon::test

@@ -43,13 +43,17 @@ Bounds boundsOf(const Mesh& mesh) {
   return bounds;
 }
 
-/// A point on a random triangle, off the surface to a random side.
-vec3 surfacePoint(const Mesh& mesh, Random& random, float distance) {
+struct SurfacePoint {
+  vec3 position, normal;
+};
+
+/// A point on a random triangle, moved off the surface to a random side, which `normal` faces.
+SurfacePoint surfacePoint(const Mesh& mesh, Random& random, float distance) {
   const std::size_t t = random.below(mesh.triangles.size());
   const vec3 a = mesh.vertex(t, 0), b = mesh.vertex(t, 1), c = mesh.vertex(t, 2);
   const auto r = static_cast<float>(std::sqrt(random.unit())), s = static_cast<float>(random.unit());
-  const vec3 normal = glm::normalize(glm::cross(b - a, c - a));
-  return a * (1 - r) + b * (r * (1 - s)) + c * (r * s) + normal * (random.unit() < 0.5 ? -distance : distance);
+  const vec3 normal = glm::normalize(glm::cross(b - a, c - a)) * (random.unit() < 0.5 ? -1.0f : 1.0f);
+  return {a * (1 - r) + b * (r * (1 - s)) + c * (r * s) + normal * distance, normal};
 }
 
 /// A point in a box three times the mesh's.
@@ -120,8 +124,10 @@ std::vector<Ray> surfaceRays(const Mesh& mesh, std::size_t count, std::uint32_t 
   const float distance = 1e-5f * boundsOf(mesh).size();
   std::vector<Ray> rays;
   for (std::size_t i = 0; i < count; ++i) {
-    const vec3 origin = surfacePoint(mesh, random, distance);
-    rays.push_back({origin, kInfinity, random.direction(), static_cast<uint>(i)});
+    const SurfacePoint from = surfacePoint(mesh, random, distance);
+    const vec3 direction = random.direction();
+    const bool isLeaving = glm::dot(direction, from.normal) > 0.0f;
+    rays.push_back({from.position, kInfinity, isLeaving ? direction : -direction, static_cast<uint>(i)});
   }
   return rays;
 }
@@ -131,7 +137,8 @@ std::vector<Ray> segmentRays(const Mesh& mesh, std::size_t count, std::uint32_t 
   const float distance = 1e-5f * boundsOf(mesh).size();
   std::vector<Ray> rays;
   for (std::size_t i = 0; i < count; ++i) {
-    const vec3 from = surfacePoint(mesh, random, distance), to = surfacePoint(mesh, random, distance);
+    const vec3 from = surfacePoint(mesh, random, distance).position;
+    const vec3 to = surfacePoint(mesh, random, distance).position;
     const float length = glm::length(to - from);
     rays.push_back({from, length, (to - from) / length, static_cast<uint>(i)});
   }

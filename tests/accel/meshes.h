@@ -26,7 +26,7 @@ struct Mesh {
 /// A box of 12 triangles, vertices shared.
 [[nodiscard]] Mesh closedBox(vec3 low, vec3 high);
 
-/// From points on the triangles' surfaces, moved off by a little, into random directions.
+/// From points on the triangles' surfaces, moved off by a little, into random directions of that side.
 [[nodiscard]] std::vector<Ray> surfaceRays(const Mesh& mesh, std::size_t count, std::uint32_t seed);
 /// Between points on the surfaces, moved off by a little: for shadow tests.
 [[nodiscard]] std::vector<Ray> segmentRays(const Mesh& mesh, std::size_t count, std::uint32_t seed);

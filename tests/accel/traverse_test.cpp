@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 
+#include "accel/exact_oracle.h"
 #include "accel/meshes.h"
 #include "accel/ray_tracer.h"
 #include "accel_test_kernels/registry.h"
@@ -57,21 +58,26 @@ class TraverseTest : public GpuTest {
     return rays;
   }
 
-  /// The same triangles, and barycentrics; t may differ in its last bits, since inlined code may be arranged
-  /// otherwise.
+  /// The same triangle at the same t for every ray. Brute force may also find a triangle that the ray lies in
+  /// the plane of and passes outside: there rounding can turn a small negative area into zero, and no box keeps
+  /// the ray away. Such a difference is judged in double precision.
   void expectAsBruteForce(const Mesh& mesh, const std::vector<Ray>& rays) const {
     const Bvh bvh = buildBvh(mesh.positions, mesh.triangles);
     RayTracer tracer(context(), bvh);
     const std::vector<Hit> found = tracer.closestHits(rays), expected = bruteForce(bvh, rays);
-    std::size_t hits = 0, wrong = 0;
+    std::size_t hits = 0, different = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (expected[i].triangle != kNone) ++hits;
       if (found[i].triangle == expected[i].triangle && found[i].t == expected[i].t) continue;
-      if (++wrong <= 5)
-        ADD_FAILURE() << "ray " << i << ": triangle " << found[i].triangle << " at " << found[i].t
-                      << " instead of " << expected[i].triangle << " at " << expected[i].t;
+      ++different;
+      const NearestHit nearest = nearestHit(mesh, rays[i], 16 * 0x1p-24);
+      const double t = found[i].triangle == kNone ? kInfinity : found[i].t;
+      EXPECT_TRUE(t >= nearest.possible && t <= nearest.certain && expected[i].t < nearest.possible)
+          << "ray " << i << ": triangle " << found[i].triangle << " at " << t << " instead of "
+          << expected[i].triangle << " at " << expected[i].t << ", nearest possible " << nearest.possible
+          << ", certain " << nearest.certain;
     }
-    EXPECT_EQ(wrong, 0u) << "of " << rays.size();
+    EXPECT_LE(different, rays.size() / 1000);
     EXPECT_GT(hits, rays.size() / 20);
     EXPECT_EQ(tracer.unfinished(), 0u);
   }
