@@ -1,0 +1,133 @@
+// Smooth surfaces in closed form: sheets, slabs, prisms and mirrors.
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "render_helper.h"
+
+namespace importon::test {
+namespace {
+
+constexpr int kSize = 16;
+
+class Smooth : public RenderTest, public ::testing::WithParamInterface<Integrator> {
+ protected:
+  [[nodiscard]] Image renderImage(const Scene& scene, int passes) const {
+    return renderScene(makeJob(GetParam(), passes), scene).image;
+  }
+};
+
+/// An emitter of radiance 1, across the whole view of a camera with a narrow field.
+SceneBuilder brightWall() {
+  SceneBuilder builder;
+  builder.square(builder.material(emitter(vec3(1.0f))), {0, 0, -2}, {0, 0, 1}, 4);
+  builder.camera({0, 0, 2}, {0, 0, 0}, 0.02, kSize, kSize);
+  return builder;
+}
+
+/// Share of light that a sheet of index 1.5 passes at normal incidence, all inner reflections counted:
+/// (1 - R) / (1 + R) with R = ((n - 1) / (n + 1))².
+constexpr double kSlabTransmittance = (1 - 0.04) / (1 + 0.04);
+
+TEST_P(Smooth, ThinSheetPassesWhatFresnelLeaves) {
+  SceneBuilder builder = brightWall();
+  builder.square(builder.material(thinGlass(1.5f)), {0, 0, 0}, {0, 0, 1}, 4);
+  EXPECT_TRUE(hasMean(momentsOf(valuesOf(renderImage(builder.finish(), 16))), kSlabTransmittance));
+}
+
+TEST_P(Smooth, SolidSlabPassesWhatFresnelLeaves) {
+  SceneBuilder builder = brightWall();
+  builder.box(builder.material(glass(1.5f)), {-2, -2, -0.5}, {2, 2, 0.5}, Facing::outside);
+  EXPECT_TRUE(hasMean(momentsOf(valuesOf(renderImage(builder.finish(), 32))), kSlabTransmittance));
+}
+
+/// A right-angled prism: the camera looks through one leg at the hypotenuse, behind which all is bright.
+Scene prismBeforeLight(float ior) {
+  SceneBuilder builder = brightWall();
+  const uint prism = builder.material(glass(ior));
+  const glm::dvec3 a(-1, 0, 1), b(1, 0, 1), c(-1, 0, -1), up(0, 2, 0), low(0, -1, 0);
+  builder.quad(prism, a + low, b - a, up);  // leg towards the camera
+  builder.quad(prism, b + low, c - b, up);  // hypotenuse
+  builder.quad(prism, c + low, a - c, up);  // other leg
+  builder.triangle(prism, a + low, c + low, b + low);
+  builder.triangle(prism, a - low, b - low, c - low);
+  return builder.finish();
+}
+
+TEST_P(Smooth, PrismReflectsTotallyBeyondTheCriticalAngle) {
+  const Image dark = renderImage(prismBeforeLight(1.5f), 16);
+  for (const float value : valuesOf(dark)) ASSERT_EQ(value, 0.0f);
+}
+
+TEST_P(Smooth, PrismPassesLightBelowTheCriticalAngle) {
+  EXPECT_GT(meanOf(renderImage(prismBeforeLight(1.3f), 16)), 0.5);
+}
+
+/// A floor, grey and red, under a point light that no glass covers; all light is direct.
+SceneBuilder litFloor() {
+  SceneBuilder builder;
+  builder.quad(builder.material(diffuse(vec3(0.6f))), {-10, 0, -10}, {0, 0, 20}, {10, 0, 0});
+  builder.quad(builder.material(diffuse(vec3(0.6f, 0.1f, 0.1f))), {0, 0, -10}, {0, 0, 20}, {10, 0, 0});
+  builder.pointLight({-2, 1, 0}, vec3(5.0f));
+  builder.camera({0, 3, 2}, {0, 0, 0}, 0.7, kSize, kSize);
+  return builder;
+}
+
+TEST_P(Smooth, GlassOfIndexOneIsInvisible) {
+  const Image without = renderImage(litFloor().finish(), 4);
+  for (const bool isThin : {true, false}) {
+    SceneBuilder builder = litFloor();
+    const uint pane = builder.material(isThin ? thinGlass(1.0f) : glass(1.0f));
+    if (isThin)
+      builder.square(pane, {0, 2.4, 1.6}, {0, 3, 2}, 1.2);
+    else
+      builder.icosphere(pane, {0, 2.4, 1.6}, 0.4, 2, Facing::outside, Shading::flat);
+    const Image with = renderImage(builder.finish(), 4);
+    for (const char* channel : {"R", "G", "B"}) {
+      const std::vector<float> a = valuesOf(without, channel), b = valuesOf(with, channel);
+      for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-4f * a[i]) << i;  // float rounding
+    }
+  }
+}
+
+/// Luminous squares before the camera; or, if `isMirrored`, their mirror images in z = 0 behind a mirror there.
+Scene luminousSquares(bool isMirrored) {
+  SceneBuilder builder;
+  const double side = isMirrored ? 1 : -1;
+  const vec3 colors[] = {{1, 0.2f, 0.1f}, {0.1f, 2, 0.3f}, {0.3f, 0.1f, 0.7f}};
+  const glm::dvec3 places[] = {{-0.7, 0.3, 1.1}, {0.5, -0.4, 1.7}, {0.1, 0.6, 2.3}};
+  for (int i = 0; i < 3; ++i) {
+    const glm::dvec3 place(places[i].x, places[i].y, side * places[i].z);
+    builder.square(builder.material(emitter(colors[i])), place, {0, 0, -side}, 0.8);
+  }
+  if (isMirrored) builder.square(builder.material(mirror()), {0, 0, 0}, {0, 0, 1}, 40);
+  builder.camera({0.05, 0.1, 0.9}, {0, 0, 0}, 1.2, kSize, kSize);
+  return builder.finish();
+}
+
+TEST_P(Smooth, MirrorShowsTheVirtualImage) {
+  const Image object = renderImage(luminousSquares(false), 4), image = renderImage(luminousSquares(true), 4);
+  EXPECT_GT(meanOf(object), 0.05);
+  for (const char* channel : {"R", "G", "B"}) {
+    const std::vector<float> a = valuesOf(object, channel), b = valuesOf(image, channel);
+    for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-5f) << i;  // float rounding
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Smooth, ::testing::Values(Integrator::path, Integrator::photon),
+                         [](const auto& test) { return test.param == Integrator::path ? "Path" : "Photon"; });
+
+class Caustic : public RenderTest {};
+
+TEST_F(Caustic, OfParallelLightThroughSlabIsItsTransmittance) {
+  SceneBuilder builder;
+  builder.square(builder.material(diffuse(vec3(1.0f))), {0, 0, 0}, {0, 1, 0}, 4);
+  builder.box(builder.material(glass(1.5f)), {-2.5, 1, -2.5}, {2.5, 1.2, 2.5}, Facing::outside);
+  builder.directionalLight({0, -1, 0}, vec3(3.0f));
+  builder.camera({0, 0.8, 0}, {0, 0, 0}, 1.0, kSize, kSize, {0, 0, 1});
+  RenderJob job = makeJob(Integrator::photon, 2);
+  job.photons = 1u << 16;
+  EXPECT_TRUE(hasMean(meanOverSeeds(job, builder.finish(), 6), 3 * kSlabTransmittance / glm::pi<double>()));
+}
+
+}  // namespace
+}  // namespace importon::test
