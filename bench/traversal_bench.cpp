@@ -1,0 +1,70 @@
+// Rays per second of kernels/trace.comp on a million incoherent rays, and the ratio to Embree's, measured in
+// turns.
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+
+#include "accel/ray_tracer.h"
+#include "base/error.h"
+#include "base/parallel.h"
+#include "bench/bench_scene.h"
+#include "gpu/context.h"
+#ifdef IMPORTON_HAS_EMBREE
+#include "bench/embree_scene.h"
+#endif
+
+namespace {
+
+using namespace importon;
+using namespace importon::bench;
+
+constexpr std::size_t kRays = 1000000;
+
+void measureTraversal(benchmark::State& state, const BenchScene& scene, bool isAnyHit) {
+  gpu::Context context({});
+  const std::vector<Ray> rays = isAnyHit ? makeShadowRays(scene, kRays) : makeBounceRays(scene, kRays);
+  test::RayTracer tracer(context, buildBvh(scene.positions, scene.triangles));
+  tracer.upload(rays);
+  tracer.trace(isAnyHit);  // compiles the kernel
+#ifdef IMPORTON_HAS_EMBREE
+  const EmbreeScene embree(scene, threadCount(0));
+  double embreeSeconds = 0;
+#endif
+  double seconds = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    const auto start = std::chrono::steady_clock::now();
+    tracer.trace(isAnyHit);
+    const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    state.SetIterationTime(elapsed);
+    seconds += elapsed;
+#ifdef IMPORTON_HAS_EMBREE
+    embreeSeconds += embree.trace(rays, isAnyHit);
+#endif
+  }
+  const double traced = static_cast<double>(kRays) * static_cast<double>(state.iterations());
+  state.SetLabel(context.info().name);
+  state.counters["Mrays/s"] = traced / seconds * 1e-6;
+#ifdef IMPORTON_HAS_EMBREE
+  state.counters["Embree_Mrays/s"] = traced / embreeSeconds * 1e-6;
+  state.counters["ratio"] = embreeSeconds / seconds;
+#endif
+  if (tracer.unfinished() > 0) state.SkipWithError("rays were given up");
+}
+
+const int kRegistered = [] {
+  for (const bool isAnyHit : {false, true})
+    for (const char* name : benchSceneNames())
+      benchmark::RegisterBenchmark((std::string(isAnyHit ? "any_hit/" : "closest_hit/") + name).c_str(),
+                                   [name, isAnyHit](benchmark::State& state) {
+                                     try {
+                                       measureTraversal(state, loadBenchScene(name), isAnyHit);
+                                     } catch (const Error& error) {
+                                       state.SkipWithError(error.what());
+                                     }
+                                   })
+          ->Unit(benchmark::kMillisecond)
+          ->UseManualTime();
+  return 0;
+}();
+
+}  // namespace
