@@ -1,0 +1,84 @@
+// Closed rooms whose walls glow: L = Le / (1 - albedo) everywhere.
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "render_helper.h"
+
+namespace importon::test {
+namespace {
+
+constexpr int kSize = 32;
+
+class Furnace : public RenderTest {};
+
+SceneBuilder lookingInto(const glm::dvec3& eye) {
+  SceneBuilder builder;
+  builder.camera(eye, {-0.3, -0.2, -1}, 1.6, kSize, kSize);
+  return builder;
+}
+
+Scene glowingBox(float albedo) {
+  SceneBuilder builder = lookingInto({0.2, 0.1, 0.7});
+  const uint walls = builder.material(emitter(vec3(1.0f), false, vec3(albedo)));
+  builder.box(walls, {-1, -1, -1}, {1, 1, 1}, Facing::inside);
+  return builder.finish();
+}
+
+Scene glowingSphere(float albedo) {
+  SceneBuilder builder = lookingInto({0.2, 0.1, 0.6});
+  const uint walls = builder.material(emitter(vec3(1.0f), false, vec3(albedo)));
+  builder.icosphere(walls, {0, 0, 0}, 1, 2, Facing::inside, Shading::flat);
+  return builder.finish();
+}
+
+double radianceOf(float albedo) { return 1 / (1 - static_cast<double>(albedo)); }
+
+/// So deep that what is cut off is below a millionth.
+RenderJob deepJob(Integrator integrator, int passes, float albedo) {
+  RenderJob job = makeJob(integrator, passes);
+  job.maxDepth = albedo > 0.6f ? 62 : 20;
+  return job;
+}
+
+TEST_F(Furnace, PathTracedBoxIsUniform) {
+  for (const float albedo : {0.5f, 0.8f}) {
+    const Rendered r = renderScene(deepJob(Integrator::path, 8, albedo), glowingBox(albedo));
+    EXPECT_TRUE(isImageOf(r.image, std::vector<double>(kSize * kSize, radianceOf(albedo)), 4)) << albedo;
+  }
+}
+
+TEST_F(Furnace, PathTracedSphereIsUniform) {
+  for (const float albedo : {0.5f, 0.8f}) {
+    const Rendered r = renderScene(deepJob(Integrator::path, 8, albedo), glowingSphere(albedo));
+    EXPECT_TRUE(isImageOf(r.image, std::vector<double>(kSize * kSize, radianceOf(albedo)), 4)) << albedo;
+  }
+}
+
+TEST_F(Furnace, PhotonMappedSphereIsUniform) {
+  for (const float albedo : {0.5f, 0.8f}) {
+    const Moments means = meanOverSeeds(deepJob(Integrator::photon, 2, albedo), glowingSphere(albedo), 4);
+    EXPECT_TRUE(hasMean(means, radianceOf(albedo), 2)) << albedo;
+  }
+}
+
+/// The kernel of a lookup loses the share of its disc that lies beyond an edge of the wall, so the mean is too
+/// low by a share that goes with the radius, and twice the mean at half the radius less the mean at the radius
+/// is free of it.
+TEST_F(Furnace, PhotonMappedBoxIsUniformAsTheRadiusVanishes) {
+  RenderJob job = deepJob(Integrator::photon, 1, 0.5f);
+  job.control = DensityControl::off;
+  const Scene scene = glowingBox(0.5f);
+  const auto meansAtRadius = [&](double radius) {
+    job.constantDensity = 32 / (glm::pi<double>() * radius * radius);
+    return meanOverSeeds(job, scene, 8);
+  };
+  const Moments wide = meansAtRadius(0.08), narrow = meansAtRadius(0.04);
+  const double extrapolated = 2 * narrow.mean() - wide.mean();
+  const double error = std::hypot(2 * narrow.standardError(), wide.standardError());
+  const TestResult test = zTest(extrapolated, error, 2);
+  EXPECT_GE(test.pValue, kSignificance) << extrapolated << " +- " << error;
+  EXPECT_LT(wide.mean(), narrow.mean());
+}
+
+}  // namespace
+}  // namespace importon::test
