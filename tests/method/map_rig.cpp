@@ -31,15 +31,16 @@ ImportonsFound MapRig::importons(MapKind kind) const {
 }
 
 PhotonMap MapRig::shoot(MapKind kind, DensityControl control, uint receivers, std::uint64_t capacity) {
+  const ImportanceMap& required = kind == MapKind::caustic ? importance.caustic : importance.global;
   PhotonMap map(context_, kind, capacity != 0 ? capacity : plan.mapCapacity, plan.workspace.records);
   work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
   recorder_->fill(work_->counters, 0);
   map.begin(*stage_);
   for (std::uint32_t first = 0; first < plan.photons; first += plan.batch) {
     tracePhotons(*stage_, first, std::min(plan.batch, plan.photons - first), parameters.maxDepth);
-    map.addBatch(*stage_, kind == MapKind::caustic ? importance.caustic : importance.global, control, receivers);
+    map.addBatch(*stage_, required, control, receivers);
   }
-  map.finish(*stage_);
+  map.finish(*stage_, required);
   recorder_->submitAndWait();
   return map;
 }
