@@ -79,15 +79,15 @@ TEST_F(DensityControlTest, FollowsImportance) {
   job.causticDensity = 2;
   test::MapRig rig(context(), scene, job);
   rig.findImportance();
-  // Seen straight from above: 2 photons a pixel, and 1024 pixels see (2·2·tan 0.25)² m².
-  rig.parameters.globalMap.photonsPerPixel = 2;
+  // Seen straight from above: 6 photons a pixel, and 1024 pixels see (2·2·tan 0.25)² m²: more than the floor.
+  rig.parameters.globalMap.photonsPerPixel = 6;
   rig.importance.global = std::move(rig.importance.caustic);
   rig.parameters.globalMap.importonLevels = rig.parameters.causticMap.importonLevels;
   const PhotonMap map = rig.shoot(MapKind::global, DensityControl::density, 1);
   const double half = 0.8 * 2 * std::tan(0.25);
   int seen = 0;
   for (const MapPoint& p : rig.photons(map)) seen += std::max(std::abs(p.position.x), std::abs(p.position.z)) < half;
-  const double expected = 2 * 1024 * 0.8 * 0.8;
+  const double expected = 6 * 1024 * 0.8 * 0.8;
   EXPECT_GT(seen, 0.9 * expected);
   EXPECT_LT(seen, 1.4 * expected);
 }
