@@ -116,9 +116,9 @@ void findSplit(const Bins& bins, int axis, std::int32_t used, std::uint32_t tota
 
 class Builder {
  public:
-  Builder(std::vector<PrimitiveBox>& boxes, std::vector<PrimitiveBox>& spare, const BinaryTreeOptions& options,
-          BinaryTree& tree, BuildProgress& progress)
-      : buffers_{boxes.data(), spare.data()}, options_(options), tree_(tree), progress_(progress) {}
+  Builder(PrimitiveBox* boxes, PrimitiveBox* spare, const BinaryTreeOptions& options, BinaryTree& tree,
+          BuildProgress& progress)
+      : buffers_{boxes, spare}, options_(options), tree_(tree), progress_(progress) {}
 
   void build(std::uint32_t node, int source, std::uint32_t first, std::uint32_t count, const Box& box,
              const Box& centres, std::uint32_t depth) const;
@@ -270,13 +270,16 @@ void Builder::build(std::uint32_t nodeIndex, int source, std::uint32_t first, st
   PrimitiveBox* to = buffers_[static_cast<std::size_t>(1 - source)] + first;
   const BinMap map(centres, count);
   Split split;
-  if (depth < kMaxDepthOfSah) split = chooseSplit(from, count, map);
-  if (split.axis < 0 && depth < kMaxDepthOfSah) noteCoincident(count);
+  if (count == 2)
+    split.cost = from[0].halfArea() + from[1].halfArea();  // nothing to choose
+  else if (depth < kMaxDepthOfSah)
+    split = chooseSplit(from, count, map);
+  if (split.axis < 0 && depth < kMaxDepthOfSah && count > 2) noteCoincident(count);
   if (count <= options_.maxLeafPrimitives) {
     const float area = box.halfArea();
     const float leafCost = options_.intersectionCost * static_cast<float>(count) * area;
     const float splitCost = options_.traversalCost * area + options_.intersectionCost * split.cost;
-    if (split.axis < 0 || leafCost <= splitCost) return makeLeaf(node, source, first, count);
+    if (leafCost <= splitCost) return makeLeaf(node, source, first, count);
   }
   Centres parts;
   if (split.axis < 0)
@@ -306,7 +309,7 @@ void Builder::build(std::uint32_t nodeIndex, int source, std::uint32_t first, st
 
 }  // namespace
 
-BinaryTree buildBinaryTree(std::vector<PrimitiveBox>& boxes, const BinaryTreeOptions& options,
+BinaryTree buildBinaryTree(std::span<PrimitiveBox> boxes, const BinaryTreeOptions& options,
                            BuildProgress& progress) {
   const auto count = static_cast<std::uint32_t>(boxes.size());
   BinaryTree tree;
@@ -329,8 +332,8 @@ BinaryTree buildBinaryTree(std::vector<PrimitiveBox>& boxes, const BinaryTreeOpt
         a.centres.include(b.centres);
         return a;
       });
-  std::vector<PrimitiveBox> spare(boxes.size());
-  const Builder builder(boxes, spare, options, tree, progress);
+  const auto spare = std::make_unique_for_overwrite<PrimitiveBox[]>(boxes.size());
+  const Builder builder(boxes.data(), spare.get(), options, tree, progress);
   builder.build(0, 0, 0, count, bounds.box, bounds.centres, 0);
   tree.coincident = builder.coincident();
   return tree;

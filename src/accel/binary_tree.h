@@ -59,7 +59,7 @@ struct BinaryTreeOptions {
 /// Builds over `boxes` (at least one), which are used up as working memory. The same tree whatever the number
 /// of threads of the calling TBB arena. No path is longer than kBvhMaxDepth nodes. [Wald 2007, On fast
 /// construction of SAH-based bounding volume hierarchies]
-[[nodiscard]] BinaryTree buildBinaryTree(std::vector<PrimitiveBox>& boxes, const BinaryTreeOptions& options,
+[[nodiscard]] BinaryTree buildBinaryTree(std::span<PrimitiveBox> boxes, const BinaryTreeOptions& options,
                                          BuildProgress& progress);
 
 }  // namespace importon

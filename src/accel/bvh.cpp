@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <memory>
 #include <numeric>
 
 #include "accel/binary_tree.h"
@@ -18,10 +19,10 @@ namespace {
 
 constexpr std::uint32_t kMaxCoincident = 64;  // triangles in one place that are all kept
 
-std::vector<PrimitiveBox> makeBoxes(std::span<const vec3> positions, std::span<const Triangle> triangles,
-                                    std::span<const std::uint32_t> chosen) {
+std::unique_ptr<PrimitiveBox[]> makeBoxes(std::span<const vec3> positions, std::span<const Triangle> triangles,
+                                          std::span<const std::uint32_t> chosen) {
   constexpr std::size_t kChunk = 4096;
-  std::vector<PrimitiveBox> boxes(chosen.size());
+  auto boxes = std::make_unique_for_overwrite<PrimitiveBox[]>(chosen.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chosen.size(), kChunk),
                     [&](const tbb::blocked_range<std::size_t>& range) {
                       for (std::size_t i = range.begin(); i < range.end(); ++i) {
@@ -42,14 +43,14 @@ std::vector<BvhRecord> build(std::span<const vec3> positions, std::span<const Tr
   if (triangles.empty()) return {makeBvhNode({}, 0)};
   std::vector<std::uint32_t> chosen(triangles.size());
   std::iota(chosen.begin(), chosen.end(), 0u);
-  std::vector<PrimitiveBox> boxes = makeBoxes(positions, triangles, chosen);
-  BinaryTree binary = buildBinaryTree(boxes, {}, progress);
+  std::unique_ptr<PrimitiveBox[]> boxes = makeBoxes(positions, triangles, chosen);
+  BinaryTree binary = buildBinaryTree({boxes.get(), chosen.size()}, {}, progress);
   if (binary.coincident > kMaxCoincident) {
     chosen = distinctTriangles(positions, triangles);
     boxes = makeBoxes(positions, triangles, chosen);
-    binary = buildBinaryTree(boxes, {}, progress);
+    binary = buildBinaryTree({boxes.get(), chosen.size()}, {}, progress);
   }
-  boxes = {};
+  boxes.reset();
   return encodeBvh(binary, buildWideTree(binary, {}), positions, triangles);
 }
 

@@ -21,19 +21,26 @@ constexpr int kLeastExponent = -100;
 /// 2^-13.
 constexpr double kMargin = 1.0 / 1024;
 
-/// Grid of one axis: low planes at origin + byte · 2^exponent.
+/// 2^exponent.
+double powerOfTwo(int exponent) {
+  constexpr int kDoubleBias = 1023, kDoubleMantissaBits = 52;
+  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + kDoubleBias) << kDoubleMantissaBits);
+}
+
+/// Grid of one axis: planes at origin + byte · 2^exponent.
 struct Grid {
   float origin;
   int exponent;
+  double stepsPerMetre;
 
-  [[nodiscard]] double step() const { return std::ldexp(1.0, exponent); }
-  [[nodiscard]] int below(float value) const {
-    return static_cast<int>(
-        std::floor((static_cast<double>(value) - static_cast<double>(origin)) / step() - kMargin));
-  }
-  [[nodiscard]] int above(float value) const {
-    return static_cast<int>(
-        std::ceil((static_cast<double>(value) - static_cast<double>(origin)) / step() + kMargin));
+  /// The last plane that stands off to the low side of `value`; negative: none.
+  [[nodiscard]] int below(float value) const { return static_cast<int>(steps(value) - kMargin + 1.0) - 1; }
+  /// The first plane that stands off to the high side.
+  [[nodiscard]] int above(float value) const { return static_cast<int>(steps(value) + kMargin) + 1; }
+
+ private:
+  [[nodiscard]] double steps(float value) const {
+    return (static_cast<double>(value) - static_cast<double>(origin)) * stepsPerMetre;
   }
 };
 
@@ -52,7 +59,8 @@ Grid makeGrid(float low, float high) {
     exponent = std::max(exponent - 1, kLeastExponent);
   }
   for (;; ++exponent) {
-    const Grid grid{roundDown(static_cast<double>(low) - kMargin * std::ldexp(1.0, exponent)), exponent};
+    const float origin = roundDown(static_cast<double>(low) - kMargin * powerOfTwo(exponent));
+    const Grid grid{origin, exponent, powerOfTwo(-exponent)};
     if (grid.above(high) <= kLastStep && grid.below(low) >= 0) return grid;
   }
 }

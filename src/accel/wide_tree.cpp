@@ -13,7 +13,7 @@ constexpr std::uint32_t kParallelSubtree = 1u << 12;  // primitives from which o
 
 /// What is best for a binary node that may fill s slots of its wide parent, s = 1 … kBvhWidth.
 struct Plan {
-  std::array<float, kBvhWidth> costs;             // [s - 1], for at most s slots; the last is not used
+  std::array<float, kBvhWidth - 1> costs;         // [s - 1], for at most s < kBvhWidth slots
   std::array<std::uint8_t, kBvhWidth> leftSlots;  // [s - 1], of exactly s > 1 slots
   bool isLeaf;                                    // in one slot: a leaf, else a wide node
 };
