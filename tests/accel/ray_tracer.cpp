@@ -25,13 +25,9 @@ RayTracer::RayTracer(gpu::Context& context, const Bvh& bvh)
       closest_(makeKernel(context, false)),
       any_(makeKernel(context, true)),
       bvh_(gpu::makeBuffer<BvhRecord>(context, "BVH", bvh.nodes, gpu::TexelFormat::uint4)),
-      counters_(gpu::makeBuffer<std::uint32_t>(context, "counters", std::vector<std::uint32_t>(kCounters, 0))),
-      noScene_(context, "no scene", 64, gpu::TexelFormat::uint4) {
+      counters_(gpu::makeBuffer<std::uint32_t>(context, "counters", std::vector<std::uint32_t>(kCounters, 0))) {
   bindings_.set(kBindingBvhNodes, bvh_);
   bindings_.set(kBindingCounters, counters_);
-  for (const std::uint32_t slot :
-       {kBindingVertices, kBindingTriangles, kBindingMaterials, kBindingTextures, kBindingTexels})
-    bindings_.set(slot, noScene_);
 }
 
 void RayTracer::upload(std::span<const Ray> rays) {

@@ -32,7 +32,7 @@ class RayTracer {
  private:
   gpu::Context& context_;
   gpu::Kernel closest_, any_;
-  gpu::Buffer bvh_, counters_, noScene_, rays_, hits_, queue_;
+  gpu::Buffer bvh_, counters_, rays_, hits_, queue_;
   gpu::BindingTable bindings_;
   std::size_t count_ = 0;
   double seconds_ = 0;
