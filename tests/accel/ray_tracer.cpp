@@ -13,17 +13,25 @@ namespace {
 
 constexpr std::size_t kCounters = 64;
 
-gpu::Kernel makeKernel(gpu::Context& context, bool isAnyHit) {
+gpu::Kernel makeKernel(gpu::Context& context, const char* module, bool isAnyHit) {
   const std::array<gpu::Specialization, 1> constants{{{kSpecAnyHit, isAnyHit ? 1u : 0u}}};
-  return gpu::Kernel(context, isAnyHit ? "trace any" : "trace closest", kernels::spirv("trace"), constants);
+  return gpu::Kernel(context, isAnyHit ? "trace any" : "trace closest", kernels::spirv(module), constants);
 }
 
 }  // namespace
 
-RayTracer::RayTracer(gpu::Context& context, const Bvh& bvh)
+RayTracer::RayTracer(gpu::Context& context, const Bvh& bvh) : RayTracer(context, bvh, "trace") {}
+
+RayTracer::RayTracer(gpu::Context& context, const Bvh& bvh, const Scene& scene)
+    : RayTracer(context, bvh, "trace_alpha") {
+  scene_ = uploadScene(context, scene, bvh);
+  scene_.bind(bindings_);
+}
+
+RayTracer::RayTracer(gpu::Context& context, const Bvh& bvh, const char* module)
     : context_(context),
-      closest_(makeKernel(context, false)),
-      any_(makeKernel(context, true)),
+      closest_(makeKernel(context, module, false)),
+      any_(makeKernel(context, module, true)),
       bvh_(gpu::makeBuffer<BvhRecord>(context, "BVH", bvh.nodes, gpu::TexelFormat::uint4)),
       counters_(gpu::makeBuffer<std::uint32_t>(context, "counters", std::vector<std::uint32_t>(kCounters, 0))) {
   bindings_.set(kBindingBvhNodes, bvh_);

@@ -7,14 +7,19 @@
 #include "gpu/buffer.h"
 #include "gpu/kernel.h"
 #include "gpu/recorder.h"
+#include "render/device_scene.h"
+#include "scene/scene.h"
 #include "shared/ray_data.h"
 
 namespace importon::test {
 
-/// A BVH on the device with the kernels that trace through it; nothing has alpha.
+/// A BVH on the device with the kernels that trace through it.
 class RayTracer {
  public:
+  /// Nothing has alpha.
   RayTracer(gpu::Context& context, const Bvh& bvh);
+  /// Through kernels/trace_alpha.comp: rays pass where the materials of `scene` have holes.
+  RayTracer(gpu::Context& context, const Bvh& bvh, const Scene& scene);
 
   /// Sets the rays of the following calls.
   void upload(std::span<const Ray> rays);
@@ -30,8 +35,11 @@ class RayTracer {
   [[nodiscard]] std::vector<Hit> anyHits(std::span<const Ray> rays);
 
  private:
+  RayTracer(gpu::Context& context, const Bvh& bvh, const char* module);
+
   gpu::Context& context_;
   gpu::Kernel closest_, any_;
+  DeviceScene scene_;
   gpu::Buffer bvh_, counters_, rays_, hits_, queue_;
   gpu::BindingTable bindings_;
   std::size_t count_ = 0;
