@@ -22,6 +22,9 @@ bool isLeftToMaps(PathState path) {
   return kEyeMode == kEyeImage && (path.flags & kPathScattered) != 0u && (path.flags & kPathSpecular) != 0u;
 }
 
+/// True for a rough surface that the maps take for a specular one. The path tracer has no maps.
+bool isSpecularForMaps(Bsdf b) { return kEyeMode != kEyePath && isFrosted(b); }
+
 void addEnvironment(uint slot, PathState path, Ray ray) {
   if (isLeftToMaps(path)) return;
   float weight = 1.0;
@@ -87,7 +90,8 @@ void sampleDirectLight(uint slot, inout PathState path, Surface s, Bsdf b, mat3 
   float pdfScatter;
   const vec3 f = evalBsdf(b, -ray.direction * frame, wi, pdfScatter);
   const float weight = l.pdf > 0.0 ? powerHeuristic(l.pdf, pdfScatter) : 1.0;
-  const vec3 light3 = path.throughput * f * l.radiance * weight;
+  const bool isRefracted = kHasTransmission && wi.z < 0.0 && !b.isThin;
+  const vec3 light3 = path.throughput * f * l.radiance * (isRefracted ? weight / (b.eta * b.eta) : weight);
   if (maxComponent(light3) <= 0.0) return;
   shadowRays[slot] = shadowRay(s, l, ray.id);
   shadowLight[slot] = light3;
@@ -123,9 +127,9 @@ bool scatterEye(uint slot, inout PathState path, Surface s, Bsdf b, mat3 frame, 
     if (!(choice.y < survival)) return false;
     path.throughput /= survival;
   }
-  if (sampled.isDelta) {
+  if (sampled.isDelta || isSpecularForMaps(b)) {
     path.flags |= kPathSpecular;
-    path.pdfSolidAngle = 0.0;
+    path.pdfSolidAngle = (path.flags & kPathScattered) == 0u ? sampled.pdf : 0.0;
   } else {
     if ((path.flags & kPathScattered) != 0u) path.flags |= kPathDeep;
     else if (kEyeMode != kEyeImportons) beginGather(slot, path, s);

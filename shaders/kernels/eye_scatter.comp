@@ -48,7 +48,8 @@ void main() {
   const float cosOut = dot(-ray.direction, s.shadingNormal);
   const Bsdf b = makeBsdf(s, cosOut);
   const mat3 frame = frameAround(s.shadingNormal);
-  const bool isRough = hasRoughLobe(b);
+  const bool isSpecular = isSpecularForMaps(b);
+  const bool isRough = hasRoughLobe(b) && !isSpecular;
   float radius;
   const bool reads = isRough && readsGlobalMap(path, s, radius);
   if (isRough) {
@@ -58,6 +59,8 @@ void main() {
       if (reads || (kHasCausticMap && kEyeMode == kEyeImage)) askForLookup(slot, s, ray, hit, path, reads, radius);
       if (!reads) sampleDirectLight(slot, path, s, b, frame, ray);
     }
+  } else if (isSpecular && kEyeMode == kEyeImage && (path.flags & kPathScattered) == 0u) {
+    sampleDirectLight(slot, path, s, b, frame, ray);
   }
   Ray next;
   const bool goesOn = scatterEye(slot, path, s, b, frame, ray, reads, next);

@@ -36,8 +36,9 @@ bool scatter(Surface s, Bsdf b, mat3 frame, vec3 direction, inout PathState path
   if (!(choice.y < survival)) return false;
   path.throughput *= weight / survival;
   path.medium = mediumBehind(path.medium, s, next.isTransmission);
-  path.flags = (path.flags + 1u) | (next.isDelta ? kPathSpecular : kPathScattered);
-  if (!next.isDelta) path.flags &= ~kPathSpecular;
+  const bool isSpecular = next.isDelta || isFrosted(b);
+  path.flags = (path.flags + 1u) | (isSpecular ? kPathSpecular : kPathScattered);
+  if (!isSpecular) path.flags &= ~kPathSpecular;
   return (path.flags & kPathDepthMask) <= params.maxDepth;
 }
 
@@ -58,7 +59,7 @@ void main() {
   if (kHasMedia) path.throughput *= mediumTransmittance(path.medium, s, hit.t);
   const mat3 frame = frameAround(s.shadingNormal);
   const Bsdf b = makeBsdf(s, dot(-ray.direction, s.shadingNormal));
-  if (hasRoughLobe(b)) writeRecord(at, s, ray.direction, path);
+  if (hasRoughLobe(b) && !isFrosted(b)) writeRecord(at, s, ray.direction, path);
   Ray next;
   if (!scatter(s, b, frame, ray.direction, path, next)) return;
   keep[i] = 1u;

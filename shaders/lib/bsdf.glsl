@@ -71,6 +71,9 @@ Bsdf makeBsdf(Surface s, float cosOut) {
 /// Probability that a sampled lobe is a delta.
 float deltaProbability(Bsdf b) { return b.isSmooth ? b.pReflect + b.pTransmit : 0.0; }
 bool hasSmoothLobe(Bsdf b) { return b.isSmooth && b.pReflect + b.pTransmit > 0.0; }
+/// True for a surface that transmits and is rough. Light comes to it from both sides, which a map of photons on one
+/// side cannot show, so for the maps it is specular: photons pass it as they pass clear glass.
+bool isFrosted(Bsdf b) { return kHasTransmission && !b.isSmooth && b.transmission * (1.0 - b.metallic) > 0.0; }
 bool hasRoughLobe(Bsdf b) { return b.pDiffuse > 0.0 || (!b.isSmooth && b.pReflect + b.pTransmit > 0.0); }
 
 /// Diffuse part times cosine: Lambert under the dielectric's interface. Light passes it on the way in and on the way

@@ -53,7 +53,7 @@ FeatureSet findFeatures(const Scene& scene, const RenderJob& job) {
     f.hasTransmission = f.hasTransmission || m.transmission > 0;
     f.hasMedia = f.hasMedia || ((m.flags & kMaterialSolid) != 0 && m.transmission > 0 &&
                                 glm::any(glm::greaterThan(m.absorption, vec3(0))));
-    f.needsCausticMap = f.needsCausticMap || mayBeSmooth(scene, m);
+    f.needsCausticMap = f.needsCausticMap || mayBeSmooth(scene, m) || m.transmission > 0;
   }
   for (const Light& light : scene.lights) {
     f.hasTriangleLights = f.hasTriangleLights || light.kind == kLightTriangle;

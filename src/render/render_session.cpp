@@ -76,6 +76,8 @@ void RenderSession::findImportance() {
   const Clock::time_point start = Clock::now();
   buildImportance(*stage_, parameters_, importance_, plan_.importons, plan_.nearestImportons,
                   causticMap_.has_value());
+  // Where no map is ever read, no photon is needed.
+  if (importance_.global.count == 0 && importance_.caustic.count == 0) plan_.photons = 0;
   stats_.importonsEmitted = plan_.importons;
   stats_.importonsCaustic = importance_.caustic.count;
   stats_.importonsGlobal = importance_.global.count;

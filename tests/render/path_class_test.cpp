@@ -83,6 +83,16 @@ void buildGlassBall(SceneBuilder& builder) {
   builder.camera({0, 1.2, 4}, {0, 0.5, 0}, 0.6, kSize, kSize);
 }
 
+/// A floor under a rough sheet that lights it and through which it is seen.
+void buildFrostedPane(SceneBuilder& builder) {
+  Material frosted = thinGlass(1.5f);
+  frosted.roughness = 0.5f;
+  addFloor(builder);
+  builder.square(builder.material(frosted), {0, 1, 0}, {0, 1, 0}, 3);
+  addLight(builder, {0.3, 2, 0}, {0, -1, 0}, 1);
+  builder.camera({0, 0.7, 2}, {0, 0, 0}, 0.4, kSize, kSize);
+}
+
 void buildThinPane(SceneBuilder& builder) {
   addFloor(builder);
   builder.square(builder.material(thinGlass(1.5f)), {0, 1, 0}, {0, 1, 0}, 2);
@@ -118,6 +128,7 @@ INSTANTIATE_TEST_SUITE_P(Of, PathClasses,
                                            PathClass{"LDSD", buildLDSD, 4}, PathClass{"LDSE", buildLDSE, 4},
                                            PathClass{"GlassBall", buildGlassBall, 16},
                                            PathClass{"ThinPane", buildThinPane, 8},
+                                           PathClass{"FrostedPane", buildFrostedPane, 8},
                                            PathClass{"GlossyPlate", buildGlossyPlate, 8}),
                          [](const auto& test) { return test.param.name; });
 
