@@ -4,10 +4,17 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/error.h"
+#include "fmt/format.h"
 #include "render/indirect_filter.h"
 
 namespace importon {
 Film::Film(gpu::Context& context, std::uint64_t pixels, std::uint64_t tilePixels) : pixels_(pixels) {
+  const std::uint64_t need = 2 * pixels * sizeof(FilmPixel);
+  if (need > context.limits().heapBytes)
+    throw DeviceError(fmt::format("an image of {} pixels needs {} MiB of device memory", pixels, need >> 20),
+                      fmt::format("{} has {} MiB", context.info().name, context.limits().heapBytes >> 20),
+                      "lower --width and --height");
   for (std::uint64_t first = 0; first < pixels; first += tilePixels) {
     const std::uint64_t count = std::min(tilePixels, pixels - first);
     FilmTile tile{static_cast<uint>(first), static_cast<uint>(count),
