@@ -10,9 +10,10 @@
 
 namespace importon {
 Film::Film(gpu::Context& context, std::uint64_t pixels, std::uint64_t tilePixels) : pixels_(pixels) {
-  const std::uint64_t need = 2 * pixels * sizeof(FilmPixel);
+  // A CPU device shares its memory with the host, which reads the film back and resolves it.
+  const std::uint64_t need = 2 * pixels * sizeof(FilmPixel) * (context.limits().isCpu ? 3 : 1);
   if (need > context.limits().heapBytes)
-    throw DeviceError(fmt::format("an image of {} pixels needs {} MiB of device memory", pixels, need >> 20),
+    throw DeviceError(fmt::format("an image of {} pixels needs {} MiB of memory", pixels, need >> 20),
                       fmt::format("{} has {} MiB", context.info().name, context.limits().heapBytes >> 20),
                       "lower --width and --height");
   for (std::uint64_t first = 0; first < pixels; first += tilePixels) {
