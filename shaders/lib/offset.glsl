@@ -3,22 +3,47 @@
 #ifndef IMPORTON_LIB_OFFSET_GLSL
 #define IMPORTON_LIB_OFFSET_GLSL
 
-/// A point on a triangle and how far, per axis, rounding may have moved it off the triangle's plane, m.
+/// A point on a triangle and how far, per axis, rounding may have moved it, m.
 struct HitPosition {
   vec3 position;
   vec3 error;
 };
 
-/// The point with barycentric weights u of v1 and v of v2. With edges a = v1 - v0 and b = v2 - v0, the sum of
+/// The point with these barycentric weights of v1 and v2. With edges a = v1 - v0 and b = v2 - v0, the sum of
 /// four roundings of u·a and v·b and one of the result, each 2^-24 relative; doubled, for the rounding of the
 /// bound and of what offsetOrigin makes of it.
-HitPosition hitPosition(vec3 v0, vec3 v1, vec3 v2, float u, float v) {
+HitPosition pointOnTriangle(vec3 v0, vec3 a, vec3 b, vec2 uv) {
   const float kRounding = 1.0 / 16777216.0;
-  const vec3 along = u * (v1 - v0), across = v * (v2 - v0);
+  const vec3 along = uv.x * a, across = uv.y * b;
   HitPosition hit;
   hit.position = v0 + (along + across);
   hit.error = (2.0 * kRounding) * (abs(hit.position) + 4.0 * (abs(along) + abs(across)));
   return hit;
+}
+
+/// Weights that keep a point inside the triangle's edges by `margin` per axis. A weight falls off from its
+/// vertex by its gradient. Where a triangle is hardly larger than the margin, points stay within a sixteenth of
+/// their place.
+vec2 keepInsideEdges(vec3 a, vec3 b, vec2 uv, vec3 margin) {
+  const vec3 normal = cross(a, b);
+  const float square = dot(normal, normal);
+  if (!(square > 0.0)) return uv;
+  const vec3 gradientU = cross(b, normal) / square, gradientV = cross(normal, a) / square;
+  const vec3 least =
+      vec3(dot(abs(gradientU + gradientV), margin), dot(abs(gradientU), margin), dot(abs(gradientV), margin));
+  const vec3 weights = max(vec3(1.0 - uv.x - uv.y, uv), min(least, vec3(1.0 / 16.0)));
+  return weights.yz / (weights.x + weights.y + weights.z);
+}
+
+/// The point with barycentric weights u of v1 and v of v2, moved off the edges if it is so near that a ray from
+/// it could miss another surface that meets them: by its error, and by the height over that surface from which
+/// intersectTriangle is sure of a hit, taking it for as large as this triangle.
+HitPosition hitPosition(vec3 v0, vec3 v1, vec3 v2, float u, float v) {
+  const float kSureHeight = 32.0 / 16777216.0;  // of the surface's size
+  const vec3 a = v1 - v0, b = v2 - v0;
+  const HitPosition there = pointOnTriangle(v0, a, b, vec2(u, v));
+  const vec3 margin = 2.0 * there.error + kSureHeight * sqrt(max(dot(a, a), dot(b, b)));
+  return pointOnTriangle(v0, a, b, keepInsideEdges(a, b, vec2(u, v), margin));
 }
 
 /// The next float from x in the direction of `sign`.

@@ -119,6 +119,29 @@ Mesh closedBox(vec3 low, vec3 high) {
   return mesh;
 }
 
+Mesh closedSphere(vec3 centre, float radius, uint rings) {
+  Mesh mesh;
+  const uint segments = 2 * rings;
+  mesh.positions = {centre + vec3(0, 0, radius), centre - vec3(0, 0, radius)};
+  for (uint ring = 1; ring < rings; ++ring)
+    for (uint segment = 0; segment < segments; ++segment) {
+      const double theta = std::numbers::pi * ring / rings, phi = 2 * std::numbers::pi * segment / segments;
+      const glm::dvec3 n(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+      mesh.positions.push_back(centre + radius * vec3(n));
+    }
+  const auto vertex = [&](uint ring, uint segment) {
+    return ring == 0 ? 0u : ring == rings ? 1u : 2 + (ring - 1) * segments + segment % segments;
+  };
+  for (uint ring = 0; ring < rings; ++ring)
+    for (uint segment = 0; segment < segments; ++segment) {
+      const uint a = vertex(ring, segment), b = vertex(ring + 1, segment), c = vertex(ring + 1, segment + 1),
+                 d = vertex(ring, segment + 1);
+      if (ring + 1 < rings) mesh.triangles.push_back({a, b, c, 0});
+      if (ring > 0) mesh.triangles.push_back({a, c, d, 0});
+    }
+  return mesh;
+}
+
 std::vector<Ray> surfaceRays(const Mesh& mesh, std::size_t count, std::uint32_t seed) {
   Random random(seed);
   const float distance = 1e-5f * boundsOf(mesh).size();

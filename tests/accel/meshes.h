@@ -25,6 +25,8 @@ struct Mesh {
 [[nodiscard]] Mesh heightField(std::uint32_t cells);
 /// A box of 12 triangles, vertices shared.
 [[nodiscard]] Mesh closedBox(vec3 low, vec3 high);
+/// A sphere of `rings` times 2·rings quads, those at the poles triangles; vertices shared.
+[[nodiscard]] Mesh closedSphere(vec3 centre, float radius, uint rings);
 
 /// From points on the triangles' surfaces, moved off by a little, into random directions of that side.
 [[nodiscard]] std::vector<Ray> surfaceRays(const Mesh& mesh, std::size_t count, std::uint32_t seed);
