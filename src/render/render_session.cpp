@@ -76,7 +76,7 @@ void RenderSession::findImportance() {
   const Clock::time_point start = Clock::now();
   buildImportance(*stage_, parameters_, importance_, plan_.importons, plan_.nearestImportons,
                   causticMap_.has_value());
-  // Where no map is ever read, no photon is needed.
+  // A camera that sees no surface to light needs no photons.
   if (importance_.global.count == 0 && importance_.caustic.count == 0) plan_.photons = 0;
   stats_.importonsEmitted = plan_.importons;
   stats_.importonsCaustic = importance_.caustic.count;

@@ -190,7 +190,13 @@ glm::dvec3 chooseOrigin(const glm::dvec3& low, const glm::dvec3& high) {
   constexpr double kSizesFromOrigin = 4.0;
   const glm::dvec3 centre = low + (high - low) * 0.5;
   if (glm::length(centre) <= kSizesFromOrigin * glm::length(high - low)) return glm::dvec3(0.0);
-  return glm::dvec3(vec3(centre));
+  // Stored as floats on the way: optimisers have been seen to drop a mere conversion there and back.
+  glm::dvec3 rounded;
+  for (int axis = 0; axis < 3; ++axis) {
+    const volatile float stored = static_cast<float>(centre[axis]);
+    rounded[axis] = static_cast<double>(stored);
+  }
+  return rounded;
 }
 
 void assembleGeometry(std::span<const MeshInstance> instances, Scene& scene, const std::string& name,
