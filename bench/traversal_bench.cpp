@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include <chrono>
+#include <ctime>
 
 #include "accel/ray_tracer.h"
 #include "base/error.h"
@@ -20,6 +21,9 @@ using namespace importon::bench;
 
 constexpr std::size_t kRays = 1000000;
 
+/// Processor time of all threads of this process, in seconds.
+double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
 void measureTraversal(benchmark::State& state, const BenchScene& scene, bool isAnyHit) {
   gpu::Context context({});
   const std::vector<Ray> rays = isAnyHit ? makeShadowRays(scene, kRays) : makeBounceRays(scene, kRays);
@@ -28,17 +32,21 @@ void measureTraversal(benchmark::State& state, const BenchScene& scene, bool isA
   tracer.trace(isAnyHit);  // compiles the kernel
 #ifdef IMPORTON_HAS_EMBREE
   const EmbreeScene embree(scene, threadCount(0));
-  double embreeSeconds = 0;
+  double embreeSeconds = 0, embreeProcessor = 0;
 #endif
-  double seconds = 0;
+  double seconds = 0, processor = 0;
   for ([[maybe_unused]] auto _ : state) {
     const auto start = std::chrono::steady_clock::now();
+    const double processorStart = processorSeconds();
     tracer.trace(isAnyHit);
+    const double processorMiddle = processorSeconds();
+    processor += processorMiddle - processorStart;
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     state.SetIterationTime(elapsed);
     seconds += elapsed;
 #ifdef IMPORTON_HAS_EMBREE
     embreeSeconds += embree.trace(rays, isAnyHit);
+    embreeProcessor += processorSeconds() - processorMiddle;
 #endif
   }
   const double traced = static_cast<double>(kRays) * static_cast<double>(state.iterations());
@@ -47,6 +55,8 @@ void measureTraversal(benchmark::State& state, const BenchScene& scene, bool isA
 #ifdef IMPORTON_HAS_EMBREE
   state.counters["Embree_Mrays/s"] = traced / embreeSeconds * 1e-6;
   state.counters["ratio"] = embreeSeconds / seconds;
+  // The same by processor time, which other programs on the machine disturb less.
+  if (context.limits().isCpu) state.counters["processor_ratio"] = embreeProcessor / processor;
 #endif
   if (tracer.unfinished() > 0) state.SkipWithError("rays were given up");
 }

@@ -2,6 +2,7 @@
 #ifndef IMPORTON_BINDINGS_DISPATCHES_GLSL
 #define IMPORTON_BINDINGS_DISPATCHES_GLSL
 #include "bindings/parameters.glsl"
+#include "lib/trace_queue.glsl"
 
 layout(scalar, binding = kBindingDispatches) buffer DispatchesBlock { DispatchArguments dispatches[]; };
 
@@ -9,6 +10,7 @@ void setCounter(uint counter, uint value) {
   counters[counter] = value;
   dispatches[counter].items = dispatchGroups(value, kWorkgroupSize);
   dispatches[counter].tiles = dispatchGroups((value + kTileSize - 1u) / kTileSize, kWorkgroupSize);
+  dispatches[counter].rays = dispatchGroups(traceInvocations(value), kWorkgroupSize);
 }
 
 #endif

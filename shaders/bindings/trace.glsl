@@ -19,22 +19,17 @@ layout(push_constant, scalar) uniform PushBlock { TracePush push; };
 
 uvec4 bvhNodeTexel(uint index) { return texelFetch(bvhNodes, int(index)); }
 
+#include "lib/trace_queue.glsl"
 #include "lib/traverse.glsl"
 
-const uint kRaysPerInvocation = 32u;   // of a long queue
-const uint kFewInvocations = 2048u;    // a short queue is spread over as many
-const uint kStepsPerTurn = 3u;
+const uint kStepsPerTurn = 2u;
 // Lavapipe ends all loops of an invocation after 65535 iterations in total, a turn being kStepsPerTurn + 1 of them.
 // New rays are taken up to half of that; a ray that is not done by the end is counted in kCounterTraceUnfinished.
-const uint kMaxTurns = 16000u;
-
-uint invocationsNeeded(uint rays) {
-  return max((rays + kRaysPerInvocation - 1u) / kRaysPerInvocation, min(rays, kFewInvocations));
-}
+const uint kMaxTurns = 21000u;
 
 void main() {
   const uint count = counters[push.source];
-  const uint invocations = min(invocationsNeeded(count),
+  const uint invocations = min(traceInvocations(count),
                                gl_NumWorkGroups.x * gl_NumWorkGroups.y * gl_WorkGroupSize.x);
   if (invocationIndex() >= invocations) return;
   Traversal traversal;

@@ -8,6 +8,7 @@ SHARED_BEGIN
 SHARED_CONST uint kSpecWorkgroupSize = 0u;
 // The traversal kernel.
 SHARED_CONST uint kSpecAnyHit = 1u;
+SHARED_CONST uint kSpecTraceInvocations = 2u;  // lib/trace_queue.glsl; also of what sets counters
 // The scene.
 SHARED_CONST uint kSpecHasTextures = 3u;
 SHARED_CONST uint kSpecHasNormalMaps = 4u;

@@ -139,10 +139,12 @@ SHARED_CONST uint kRecordNone = 0u;
 SHARED_CONST uint kRecordCaustic = 1u;  // belongs to the caustic map
 SHARED_CONST uint kRecordGlobal = 2u;   // belongs to the global map; photons after S+ belong to both
 
-/// Workgroup counts of dispatches over what a counter counts: one invocation an item, or one a tile.
+/// Workgroup counts of dispatches over what a counter counts: one invocation an item, or one a tile, or as many as
+/// trace a queue of rays (lib/trace_queue.glsl).
 struct DispatchArguments {
   uvec3 items;
   uvec3 tiles;
+  uvec3 rays;
 };
 SHARED_CONST uint kWorkgroupSize = 64u;  // of kernels dispatched indirectly
 SHARED_CONST uint kTileSize = 64u;       // entries per invocation in compaction and sort

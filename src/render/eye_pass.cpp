@@ -30,7 +30,7 @@ void traceShadowRays(const Stage& stage, gpu::BindingTable table, uint counter) 
   table.set(kBindingRayTexels, stage.work.shadowRays);
   table.set(kBindingHits, stage.work.shadowHits);
   table.set(kBindingHitTexels, stage.work.shadowHits);
-  overItems(stage, stage.kernels.traceShadow, table, counter, TracePush{counter});
+  overRays(stage, stage.kernels.traceShadow, table, counter, TracePush{counter});
   overItems(stage, stage.kernels.eyeLight, table, counter, EyeLightPush{counter});
 }
 
@@ -50,7 +50,7 @@ void traceImportons(const Stage& stage, const ImportanceMap& global, std::uint32
   Queues queues = startQueues(stage, stage.kernels.importonEmit, table, EyeEmitPush{0, count, count, 0});
   for (uint depth = 0; depth <= maxDepth; ++depth) {
     table.set(kBindingQueue, *queues.now);
-    overItems(stage, stage.kernels.traceClosest, table, queues.counter, TracePush{queues.counter});
+    overRays(stage, stage.kernels.traceClosest, table, queues.counter, TracePush{queues.counter});
     overItems(stage, stage.kernels.importonScatter, table, queues.counter,
               EyeScatterPush{queues.counter, knowsImportance});
     compact(stage, queues.counter, queues.nextCounter, queues.now, *queues.next, kCounterRecords);
@@ -67,7 +67,7 @@ void traceImage(const Stage& stage, const EyeMaps& maps, uint sample, uint first
   Queues queues = startQueues(stage, stage.kernels.eyeEmit, table, EyeEmitPush{first, count, 0, 0});
   for (uint depth = 0; depth <= maxDepth; ++depth) {
     table.set(kBindingQueue, *queues.now);
-    overItems(stage, stage.kernels.traceClosest, table, queues.counter, TracePush{queues.counter});
+    overRays(stage, stage.kernels.traceClosest, table, queues.counter, TracePush{queues.counter});
     overItems(stage, stage.kernels.eyeScatter, table, queues.counter, EyeScatterPush{queues.counter, 1});
     traceShadowRays(stage, table, queues.counter);
     if (maps.caustic != nullptr) lookUp(stage, table, maps.importance->caustic, *maps.caustic, queues.counter, false);
@@ -84,7 +84,7 @@ void traceAovs(const Stage& stage, const EyeMaps& maps, uint first, uint count, 
   gpu::BindingTable table = stage.work.table;
   table.set(kBindingAov, aov);
   startQueues(stage, stage.kernels.eyeEmit, table, EyeEmitPush{first, count, 0, 1});
-  overItems(stage, stage.kernels.traceClosest, table, kCounterQueueA, TracePush{kCounterQueueA});
+  overRays(stage, stage.kernels.traceClosest, table, kCounterQueueA, TracePush{kCounterQueueA});
   stage.recorder.dispatch(stage.kernels.aovSurface, table, count, AovSurfacePush{count});
   const auto addMap = [&](const PhotonMap* map, const ImportanceMap& importance, bool isGlobal) {
     if (map == nullptr) return;

@@ -8,6 +8,10 @@
 namespace importon {
 namespace {
 
+// Enough for some tens of workgroups on the threads of a CPU, and for all threads that a large GPU runs at once.
+constexpr std::uint32_t kTraceInvocationsOnCpu = 1u << 11;
+constexpr std::uint32_t kTraceInvocationsOnGpu = 1u << 18;
+
 struct Entry {
   gpu::Kernel* kernel;
   const char* label;
@@ -67,7 +71,8 @@ KernelSet makeKernels(gpu::Context& context, const FeatureSet& features, Integra
   if (integrator == Integrator::photon) {
     for (Entry& entry : listMaps(set)) entries.push_back(std::move(entry));
   }
-  const std::vector<gpu::Specialization> common = specializations(features);
+  std::vector<gpu::Specialization> common = specializations(features);
+  common.push_back({kSpecTraceInvocations, context.limits().isCpu ? kTraceInvocationsOnCpu : kTraceInvocationsOnGpu});
   parallelFor(entries.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       std::vector<gpu::Specialization> all = common;

@@ -17,7 +17,7 @@ void tracePhotons(const Stage& stage, std::uint32_t first, std::uint32_t count, 
   stage.recorder.dispatch(stage.kernels.photonEmit, table, count, PhotonEmitPush{first, count});
   for (uint depth = 0; depth <= maxDepth; ++depth) {
     table.set(kBindingQueue, *now);
-    overItems(stage, stage.kernels.traceClosest, table, counter, TracePush{counter});
+    overRays(stage, stage.kernels.traceClosest, table, counter, TracePush{counter});
     overItems(stage, stage.kernels.photonScatter, table, counter, PhotonScatterPush{counter});
     compact(stage, counter, nextCounter, now, *next, kCounterRecords);
     std::swap(now, next);

@@ -34,7 +34,8 @@ struct Stage {
   Workspace& work;
 };
 
-/// Dispatches over what `counter` counts: one invocation per item, or per tile of kTileSize items.
+/// Dispatches over what `counter` counts: one invocation per item, or per tile of kTileSize items, or as many as
+/// trace a queue of rays.
 template <class Push>
 void overItems(const Stage& stage, const gpu::Kernel& kernel, const gpu::BindingTable& table, uint counter,
                const Push& push) {
@@ -44,7 +45,13 @@ template <class Push>
 void overTiles(const Stage& stage, const gpu::Kernel& kernel, const gpu::BindingTable& table, uint counter,
                const Push& push) {
   stage.recorder.dispatchIndirect(kernel, table, stage.work.dispatches,
-                                  counter * sizeof(DispatchArguments) + sizeof(uvec3), push);
+                                  counter * sizeof(DispatchArguments) + offsetof(DispatchArguments, tiles), push);
+}
+template <class Push>
+void overRays(const Stage& stage, const gpu::Kernel& kernel, const gpu::BindingTable& table, uint counter,
+              const Push& push) {
+  stage.recorder.dispatchIndirect(kernel, table, stage.work.dispatches,
+                                  counter * sizeof(DispatchArguments) + offsetof(DispatchArguments, rays), push);
 }
 
 /// counters[counter] = min(value + counters[a] + counters[b], limit)

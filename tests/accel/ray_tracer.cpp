@@ -1,5 +1,6 @@
 #include "accel/ray_tracer.h"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 
@@ -13,8 +14,9 @@ namespace {
 
 constexpr std::size_t kCounters = 64;
 
-gpu::Kernel makeKernel(gpu::Context& context, const char* module, bool isAnyHit) {
-  const std::array<gpu::Specialization, 1> constants{{{kSpecAnyHit, isAnyHit ? 1u : 0u}}};
+gpu::Kernel makeKernel(gpu::Context& context, const char* module, bool isAnyHit, std::size_t invocations) {
+  const std::array<gpu::Specialization, 2> constants{
+      {{kSpecAnyHit, isAnyHit ? 1u : 0u}, {kSpecTraceInvocations, static_cast<std::uint32_t>(invocations)}}};
   return gpu::Kernel(context, isAnyHit ? "trace any" : "trace closest", kernels::spirv(module), constants);
 }
 
@@ -30,8 +32,9 @@ RayTracer::RayTracer(gpu::Context& context, const Bvh& bvh, const Scene& scene)
 
 RayTracer::RayTracer(gpu::Context& context, const Bvh& bvh, const char* module)
     : context_(context),
-      closest_(makeKernel(context, module, false)),
-      any_(makeKernel(context, module, true)),
+      invocations_(context.limits().isCpu ? 1u << 11 : 1u << 18),
+      closest_(makeKernel(context, module, false, invocations_)),
+      any_(makeKernel(context, module, true, invocations_)),
       bvh_(gpu::makeBuffer<BvhRecord>(context, "BVH", bvh.nodes, gpu::TexelFormat::uint4)),
       counters_(gpu::makeBuffer<std::uint32_t>(context, "counters", std::vector<std::uint32_t>(kCounters, 0))) {
   bindings_.set(kBindingBvhNodes, bvh_);
@@ -54,7 +57,8 @@ void RayTracer::upload(std::span<const Ray> rays) {
 
 void RayTracer::trace(bool isAnyHit) {
   gpu::Recorder recorder(context_);
-  recorder.dispatch(isAnyHit ? any_ : closest_, bindings_, count_, TracePush{0});
+  recorder.dispatch(isAnyHit ? any_ : closest_, bindings_,
+                    std::max((count_ + 31) / 32, std::min(count_, invocations_)), TracePush{0});
   recorder.submitAndWait();
   seconds_ = recorder.times().front().milliseconds * 1e-3;
 }

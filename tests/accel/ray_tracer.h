@@ -38,6 +38,7 @@ class RayTracer {
   RayTracer(gpu::Context& context, const Bvh& bvh, const char* module);
 
   gpu::Context& context_;
+  std::size_t invocations_;  // that a short queue is spread over
   gpu::Kernel closest_, any_;
   DeviceScene scene_;
   gpu::Buffer bvh_, counters_, rays_, hits_, queue_;

@@ -45,7 +45,7 @@ std::vector<HostLayout> hostLayouts() {
       IMPORTON_LAYOUT(EyeVertex, position, radius, throughput, triangle, direction, u, v),
       IMPORTON_LAYOUT(MapPoint, position, packed),
       IMPORTON_LAYOUT(Record, flux, kind),
-      IMPORTON_LAYOUT(DispatchArguments, items, tiles),
+      IMPORTON_LAYOUT(DispatchArguments, items, tiles, rays),
       // shared/push_data.h
       IMPORTON_LAYOUT(CompactCountPush, source),
       IMPORTON_LAYOUT(CompactScatterPush, source, takesIndex),

@@ -74,6 +74,9 @@ TEST_F(Lists, CountsLeadTheIndirectDispatchesOverWhatTheyCount) {
     const auto groups = [](std::size_t n) { return (n + kWorkgroupSize - 1) / kWorkgroupSize; };
     EXPECT_EQ(std::size_t{arguments.items.x} * arguments.items.y, groups(size));
     EXPECT_EQ(std::size_t{arguments.tiles.x} * arguments.tiles.y, groups((size + kTileSize - 1) / kTileSize));
+    const std::size_t rayGroups = std::size_t{arguments.rays.x} * arguments.rays.y;
+    EXPECT_GE(rayGroups, groups((size + 31) / 32));
+    EXPECT_LE(rayGroups, groups(size));
   }
 }
 
