@@ -248,6 +248,22 @@ TEST_F(TraverseTest, GivesTheSameBitsAgainAndForAnyQueueLength) {
   }
 }
 
+TEST_F(TraverseTest, CountsTheRaysThatTheDevicesLimitOnLoopsCutsShort) {
+  // Slivers along a diagonal: the rays pass through the boxes of all of them and meet none.
+  Mesh mesh;
+  for (int i = 0; i < 100000; ++i) {
+    const float shift = 1e-7f * static_cast<float>(i);
+    mesh.add({shift, 0, 0}, {1, 1, 1 + shift}, {shift, 0, 1e-6f});
+  }
+  std::vector<Ray> rays;
+  for (int i = 0; i < 20; ++i)
+    rays.push_back({vec3(-1, 0.9f, 0.1f + 1e-3f * static_cast<float>(i)), kInfinity, vec3(1, 0, 0), 0});
+  RayTracer tracer(context(), buildBvh(mesh.positions, mesh.triangles));
+  for (const Hit& hit : tracer.closestHits(rays)) EXPECT_EQ(hit.triangle, kNone);
+  EXPECT_TRUE(tracer.unfinished() == 0 || (context().limits().isCpu && tracer.unfinished() == rays.size()))
+      << tracer.unfinished();
+}
+
 TEST_F(TraverseTest, MissesEverythingInAnEmptyScene) {
   RayTracer tracer(context(), buildBvh({}, {}));
   const Hit hit = tracer.closestHits(std::vector<Ray>{{vec3(1), kInfinity, vec3(0, 1, 0), 0}})[0];
