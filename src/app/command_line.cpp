@@ -27,6 +27,8 @@ struct Parser {
   Parser();
   void addInfo();
   void addCompare();
+  void addCompareOutputs();
+  void addCompareLimits();
   [[nodiscard]] Command chosen() const;
 };
 
@@ -63,13 +65,41 @@ void Parser::addCompare() {
       ->check(notEmpty())
       ->type_name("");
   compareApp->add_flag("--json", compare.isJson, "as JSON");
+  const auto addLayer = [&](const char* name, std::string& target, const char* of) {
+    compareApp
+        ->add_option(name, target, std::string("layer of ") + of + " (default: R, G, B, or the only colour)")
+        ->check(notEmpty())
+        ->type_name("NAME");
+  };
+  addLayer("--layer", compare.layer, "A.exr");
+  addLayer("--reference-layer", compare.referenceLayer, "REF.exr");
+  addCompareOutputs();
+  addCompareLimits();
+}
+
+void Parser::addCompareOutputs() {
   compareApp
-      ->add_option("--max-relmse", compare.maxRelmse, "exit with 5 when relMSE is above (default: no limit)")
-      ->check(notNegative(""))
-      ->type_name("X");
-  compareApp->add_option("--max-flip", compare.maxFlip, "exit with 5 when FLIP is above (default: no limit)")
-      ->check(notNegative(""))
-      ->type_name("X");
+      ->add_option("--diff", compare.diff,
+                   "write A - REF as R, G, B, with the layers relative.Y,\nflip.Y and flip_hdr.Y (default: none)")
+      ->check(notEmpty())
+      ->type_name("F.exr");
+  compareApp
+      ->add_option("--diff-png", compare.diffPng,
+                   "write FLIP in false colours, black (0) over violet,\nred and orange to pale yellow (1) "
+                   "(default: none)")
+      ->check(notEmpty())
+      ->type_name("F.png");
+}
+
+void Parser::addCompareLimits() {
+  const auto addLimit = [&](const char* name, std::optional<double>& target, const std::string& metric) {
+    compareApp->add_option(name, target, "exit with 5 when " + metric + " is above (default: no limit)")
+        ->check(notNegative(""))
+        ->type_name("X");
+  };
+  addLimit("--max-relmse", compare.maxRelmse, "relMSE");
+  addLimit("--max-flip", compare.maxFlip, "FLIP");
+  addLimit("--max-flip-hdr", compare.maxFlipHdr, "HDR-FLIP");
   compareApp
       ->add_option("--floor", compare.floor,
                    "absolute floor in the denominator of relMSE\n(default: 0.01·mean(R)²)")

@@ -24,7 +24,9 @@ struct InfoCommand {
 struct CompareCommand {
   std::filesystem::path image, reference;
   bool isJson = false;
-  std::optional<double> maxRelmse, maxFlip;
+  std::string layer, referenceLayer;  // empty: the colour that there is
+  std::filesystem::path diff, diffPng;  // empty: none
+  std::optional<double> maxRelmse, maxFlip, maxFlipHdr;
   std::optional<double> floor;  // absolute, in the denominator of relMSE
 };
 

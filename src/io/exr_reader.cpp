@@ -1,7 +1,10 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfInputFile.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfPartType.h>
+#include <ImfRgbaFile.h>
 #include <ImfStringAttribute.h>
 
 #include <exception>
@@ -17,44 +20,115 @@ namespace {
 // A damaged header may claim any size; 2^30 values are 4 GiB.
 constexpr std::int64_t kMostValues = std::int64_t{1} << 30;
 
-void readHeader(const Imf::Header& header, const std::string& where, Image& image) {
+bool isSubsampled(const Imf::Header& header) {
+  for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
+    if (i.channel().xSampling != 1 || i.channel().ySampling != 1) return true;
+  }
+  return false;
+}
+
+/// Y with RY and BY: what RgbaInputFile turns into RGB.
+bool isLuminanceChroma(const Imf::Header& header) {
+  const Imf::ChannelList& channels = header.channels();
+  return channels.findChannel("Y") != nullptr && channels.findChannel("RY") != nullptr &&
+         channels.findChannel("BY") != nullptr;
+}
+
+/// Checks the size of a part, with its channels beside those there are already.
+void checkSize(const Imf::Header& header, const std::string& where, std::size_t channelsBefore) {
   const Imath::Box2i window = header.dataWindow();
   const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
   const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-  std::int64_t channels = 0;
-  for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
-    if (i.channel().xSampling != 1 || i.channel().ySampling != 1) {
-      throw SceneError(fmt::format("channel {} is subsampled", i.name()), where, "convert the image to RGB");
-    }
-    ++channels;
-  }
+  auto channels = static_cast<std::int64_t>(channelsBefore);
+  for (auto i = header.channels().begin(); i != header.channels().end(); ++i) ++channels;
   if (channels == 0) throw SceneError("the image has no channels", where, "give an image with R, G and B");
   if (width > kMostValues || height > kMostValues || width * height > kMostValues / channels) {
     throw SceneError(
         fmt::format("an image of {} x {} pixels with {} channels is too large", width, height, channels), where,
         "scale it down, or check that the file is whole");
   }
-  image.width = static_cast<int>(width);
-  image.height = static_cast<int>(height);
+}
+
+void readAttributes(const Imf::Header& header, Image& image) {
   for (auto i = header.begin(); i != header.end(); ++i) {
     const auto* text = dynamic_cast<const Imf::StringAttribute*>(&i.attribute());
     if (text != nullptr) image.attributes[i.name()] = text->value();
   }
 }
 
-void readPixels(Imf::InputFile& exr, Image& image) {
-  const Imath::Box2i window = exr.header().dataWindow();
+/// Adds the channels of a part, each with `prefix` before its name.
+void readPart(Imf::MultiPartInputFile& exr, int part, const std::string& prefix, Image& image) {
+  const Imf::Header& header = exr.header(part);
+  const Imath::Box2i window = header.dataWindow();
   const auto width = static_cast<std::size_t>(image.width);
-  const auto pixels = width * static_cast<std::size_t>(image.height);
   Imf::FrameBuffer frameBuffer;
-  for (auto i = exr.header().channels().begin(); i != exr.header().channels().end(); ++i) {
-    image.channels.push_back({i.name(), std::vector<float>(pixels)});
+  for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
+    image.channels.push_back({prefix + i.name(), std::vector<float>(width * static_cast<std::size_t>(image.height))});
     float* values = image.channels.back().values.data();
     frameBuffer.insert(i.name(),
                        Imf::Slice::Make(Imf::FLOAT, values, window, sizeof(float), sizeof(float) * width));
   }
-  exr.setFrameBuffer(frameBuffer);
-  exr.readPixels(window.min.y, window.max.y);
+  Imf::InputPart input(exr, part);
+  input.setFrameBuffer(frameBuffer);
+  input.readPixels(window.min.y, window.max.y);
+}
+
+/// Luminance with subsampled chroma, as RGB.
+void readLuminanceChroma(const std::filesystem::path& file, Image& image) {
+  Imf::RgbaInputFile exr(file.c_str());
+  const Imath::Box2i window = exr.dataWindow();
+  const auto width = static_cast<std::size_t>(image.width), pixels = width * static_cast<std::size_t>(image.height);
+  std::vector<Imf::Rgba> row(width);
+  for (const char* name : {"B", "G", "R"}) image.channels.push_back({name, {}});
+  for (Channel& channel : image.channels) channel.values.reserve(pixels);
+  for (int y = window.min.y; y <= window.max.y; ++y) {
+    exr.setFrameBuffer(row.data() - window.min.x, 1, 0);
+    exr.readPixels(y);
+    for (const Imf::Rgba& value : row) {
+      image.channels[0].values.push_back(value.b);
+      image.channels[1].values.push_back(value.g);
+      image.channels[2].values.push_back(value.r);
+    }
+  }
+}
+
+/// Parts after the first are layers: their names go before their channels', unless they begin with them.
+std::string prefixOf(const Imf::Header& header) {
+  if (!header.hasName()) return "";
+  const std::string prefix = header.name() + ".";
+  for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
+    if (std::string(i.name()).starts_with(prefix)) return "";
+  }
+  return prefix;
+}
+
+Image readImage(const std::filesystem::path& file, const std::string& where) {
+  Imf::MultiPartInputFile exr(file.c_str());
+  Image image;
+  for (int part = 0; part < exr.parts(); ++part) {
+    const Imf::Header& header = exr.header(part);
+    const bool isDeep = header.hasType() && (header.type() == Imf::DEEPSCANLINE || header.type() == Imf::DEEPTILE);
+    if (isDeep && part == 0) throw SceneError("this is a deep image", where, "flatten it first");
+    if (isDeep) continue;
+    checkSize(header, where, image.channels.size());
+    const Imath::Box2i window = header.dataWindow();
+    const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
+    if (part == 0) {
+      image.width = width;
+      image.height = height;
+      readAttributes(header, image);
+    } else if (width != image.width || height != image.height || isSubsampled(header)) {
+      continue;  // another view or a proxy: no layer of this image
+    }
+    if (!isSubsampled(header)) {
+      readPart(exr, part, part == 0 ? "" : prefixOf(header), image);
+    } else if (isLuminanceChroma(header)) {
+      readLuminanceChroma(file, image);
+    } else {
+      throw SceneError("a channel is subsampled", where, "convert the image to RGB");
+    }
+  }
+  return image;
 }
 
 }  // namespace
@@ -68,18 +142,14 @@ Image readExr(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(file, error)) {
     throw SceneError("this is a folder", where, "give an OpenEXR file");
   }
-  Image image;
   try {
-    Imf::InputFile exr(file.c_str());
-    readHeader(exr.header(), where, image);
-    readPixels(exr, image);
+    return readImage(file, where);
   } catch (const SceneError&) {
     throw;
   } catch (const std::exception& failure) {
     throw SceneError(fmt::format("cannot read OpenEXR: {}", failure.what()), where,
                      "check that it is a whole OpenEXR file of plain pixels");
   }
-  return image;
 }
 
 }  // namespace importon

@@ -25,8 +25,9 @@ struct Image {
 /// end. Throws OutputError and leaves no file then.
 void writeExr(const std::filesystem::path& file, const Image& image);
 
-/// Reads any scanline or tiled OpenEXR (half, float, uint; any compression; layers). Single part: the first.
-/// Throws SceneError on a missing or malformed file.
+/// Reads any scanline or tiled OpenEXR (half, float, uint; any compression; layers), of the size of its data
+/// window. Further parts of that size are layers: "PART.CHANNEL". Luminance with subsampled chroma becomes RGB.
+/// Throws SceneError on a missing, malformed or deep file.
 [[nodiscard]] Image readExr(const std::filesystem::path& file);
 
 /// A tone-mapped 8-bit preview of channels R, G, B: exposure by the log-average luminance, a filmic shoulder,

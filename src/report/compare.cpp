@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "fmt/format.h"
 #include "io/tone_map.h"
 #include "report/flip.h"
+#include "report/hdr_flip.h"
 
 namespace importon {
 namespace {
@@ -31,6 +34,10 @@ double meanOf(const Rgb& rgb, const std::vector<bool>& isCounted) {
     count += 3;
   }
   return count > 0 ? sum / count : 0;
+}
+
+double meanOf(const std::vector<float>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 /// Numerator over denominator, where nothing over nothing is `ofNothing`.
@@ -74,8 +81,9 @@ void checkSizes(const Image& image, const std::string& imageName, const Image& r
 
 }  // namespace
 
-Comparison compareImages(const Image& image, const std::string& imageName, const Image& reference,
-                         const std::string& referenceName, std::optional<double> floor) {
+ValueErrors compareValues(const Image& image, const std::string& imageName, const Image& reference,
+                          const std::string& referenceName, std::optional<double> floor,
+                          std::vector<float>* relative) {
   checkSizes(image, imageName, reference, referenceName);
   const Rgb shown = rgbOf(image, imageName), truth = rgbOf(reference, referenceName);
   const std::size_t pixels = truth[0].size();
@@ -87,27 +95,58 @@ Comparison compareImages(const Image& image, const std::string& imageName, const
   const double meanTruth = meanOf(truth, hasTruth);
   const double usedFloor = floor.value_or(0.01 * meanTruth * meanTruth);
 
-  Comparison result;
-  double relative = 0, squared = 0, symmetric = 0;
+  ValueErrors result;
+  double relativeSum = 0, squared = 0, symmetric = 0;
   std::vector<double> relativeErrors(pixels);
   for (std::size_t i = 0; i < pixels; ++i) {
     const PixelError error =
         isCounted[i] ? pixelError(shown, truth, i, usedFloor) : PixelError{kInfinity, kInfinity, 1};
     result.nonFinitePixels += isCounted[i] ? 0 : 1;
     relativeErrors[i] = error.relative;
-    relative += error.relative;
+    relativeSum += error.relative;
     squared += error.squared;
     symmetric += error.symmetric;
   }
+  if (relative != nullptr) relative->assign(relativeErrors.begin(), relativeErrors.end());
   const auto count = static_cast<double>(pixels);
-  result.relmse = relative / count;
+  result.relmse = relativeSum / count;
   result.relmseTrimmed = trimmedMean(std::move(relativeErrors));
   result.smape = symmetric / count;
   result.rmse = std::sqrt(squared / count);
   result.meanRatio = ratio(meanOf(shown, isCounted), meanOf(truth, isCounted), 1);
-  const float exposure = autoExposure(reference, referenceName);
-  result.flip = ldrFlip(toneMapped(image, exposure, imageName), toneMapped(reference, exposure, referenceName));
   return result;
+}
+
+Comparison compareImages(const Image& image, const std::string& imageName, const Image& reference,
+                         const std::string& referenceName, std::optional<double> floor, ErrorMaps* maps) {
+  ErrorMaps found;
+  Comparison result;
+  static_cast<ValueErrors&>(result) =
+      compareValues(image, imageName, reference, referenceName, floor, &found.relative);
+  const float exposure = autoExposure(reference, referenceName);
+  found.flip = ldrFlipMap(toneMapped(image, exposure, imageName), toneMapped(reference, exposure, referenceName));
+  found.flipHdr = hdrFlipMap(image, imageName, reference, referenceName);
+  result.flip = meanOf(found.flip);
+  result.flipHdr = meanOf(found.flipHdr);
+  if (maps != nullptr) *maps = std::move(found);
+  return result;
+}
+
+Image differenceImage(const Image& image, const std::string& imageName, const Image& reference,
+                      const std::string& referenceName, const ErrorMaps& maps) {
+  checkSizes(image, imageName, reference, referenceName);
+  const Rgb shown = rgbOf(image, imageName), truth = rgbOf(reference, referenceName);
+  Image difference{image.width, image.height, {}, {}};
+  constexpr std::array<const char*, 3> kNames{"R", "G", "B"};
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::vector<float> values(truth[c].size());
+    std::transform(shown[c].begin(), shown[c].end(), truth[c].begin(), values.begin(), std::minus<>());
+    difference.channels.push_back({kNames[c], std::move(values)});
+  }
+  difference.channels.push_back({"relative.Y", maps.relative});
+  difference.channels.push_back({"flip.Y", maps.flip});
+  difference.channels.push_back({"flip_hdr.Y", maps.flipHdr});
+  return difference;
 }
 
 }  // namespace importon

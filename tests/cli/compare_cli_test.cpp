@@ -31,7 +31,8 @@ TEST(Cli, ComparePrintsEveryMetric) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   for (const char* line : {"relmse          0.990099", "relmse_trimmed  0.990099", "smape           0.333333",
-                           "rmse            1\n", "mean_ratio      2\n", "flip            0."}) {
+                           "rmse            1\n", "mean_ratio      2\n", "flip            0.",
+                           "flip_hdr        0."}) {
     EXPECT_NE(outcome.out.find(line), std::string::npos) << line << " in\n" << outcome.out;
   }
 }
@@ -66,6 +67,31 @@ TEST(Cli, CompareExceedsEveryLimitWithPixelsThatAreNotFinite) {
   const Outcome outcome = runImporton({"compare", a, writeGrey(folder, "r.exr", 1), "--max-relmse", "1e300"});
   EXPECT_EQ(outcome.status, 5);
   EXPECT_NE(outcome.out.find("non-finite pixels: 8"), std::string::npos) << outcome.out;
+}
+
+TEST(Cli, CompareShowsTheDifference) {
+  const TemporaryFolder folder;
+  const std::string a = writeGrey(folder, "a.exr", 2), r = writeGrey(folder, "r.exr", 0.5F);
+  const Outcome outcome =
+      runImporton({"compare", a, r, "--diff", folder / "d.exr", "--diff-png", folder / "d.png"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(readExr(folder / "d.exr").find("R")->values, std::vector<float>(8, 1.5F));
+  EXPECT_EQ(test::readFile(folder / "d.png").substr(1, 3), "PNG");
+  EXPECT_EQ(runImporton({"compare", a, r, "--diff", folder / "no/d.exr"}).status, 4);
+}
+
+TEST(Cli, CompareReadsLayers) {
+  const TemporaryFolder folder;
+  Image image{4, 2, {}, {}};
+  for (const char* name : {"a.R", "a.G", "a.B", "b.R", "b.G", "b.B"})
+    image.channels.push_back({name, std::vector<float>(8, name[0] == 'a' ? 1.F : 2.F)});
+  writeExr(folder / "l.exr", image);
+  const std::string r = writeGrey(folder, "r.exr", 1);
+  EXPECT_EQ(runImporton({"compare", folder / "l.exr", r}).status, 2);
+  EXPECT_EQ(runImporton({"compare", folder / "l.exr", r, "--layer", "a", "--max-relmse", "0"}).status, 0);
+  EXPECT_EQ(runImporton({"compare", folder / "l.exr", r, "--layer", "b", "--max-relmse", "0"}).status, 5);
+  EXPECT_EQ(
+      runImporton({"compare", r, folder / "l.exr", "--reference-layer", "a", "--max-flip-hdr", "0"}).status, 0);
 }
 
 TEST(Cli, CompareRefusesWhatCannotBeCompared) {

@@ -99,6 +99,28 @@ TEST(Compare, IsZeroForTwoBlackImagesAndInfiniteForOne) {
   EXPECT_TRUE(std::isinf(compare(grey({1, 0}), grey({0, 0})).relmse));
 }
 
+// R = (1, 3), floor 0.04; I = (2, 3).
+TEST(Compare, TellsWhereTheErrorsAre) {
+  ErrorMaps maps;
+  const Image image = grey({2, 3}), reference = grey({1, 3});
+  const Comparison result = compareImages(image, "a.exr", reference, "ref.exr", {}, &maps);
+  ASSERT_EQ(maps.relative.size(), 2u);
+  EXPECT_NEAR(maps.relative[0], 1 / 1.04, 1e-6);
+  EXPECT_EQ(maps.relative[1], 0);
+  EXPECT_NEAR((maps.flip[0] + maps.flip[1]) / 2, result.flip, 1e-6);
+  EXPECT_NEAR((maps.flipHdr[0] + maps.flipHdr[1]) / 2, result.flipHdr, 1e-6);
+  const Image difference = differenceImage(image, "a.exr", reference, "ref.exr", maps);
+  EXPECT_EQ(difference.find("G")->values, (std::vector<float>{1, 0}));
+  EXPECT_EQ(difference.find("relative.Y")->values, maps.relative);
+  EXPECT_EQ(difference.find("flip_hdr.Y")->values, maps.flipHdr);
+}
+
+TEST(Compare, HasTheSameValuesWithoutFlip) {
+  const ValueErrors values = compareValues(grey({2, 3}), "a.exr", grey({1, 3}), "ref.exr");
+  EXPECT_EQ(values.relmse, compare(grey({2, 3}), grey({1, 3})).relmse);
+  EXPECT_EQ(values.meanRatio, 1.25);
+}
+
 TEST(Compare, RefusesOtherSizesAndMissingChannels) {
   EXPECT_THROW((void)compare(grey({1, 2}), grey({1})), SceneError);
   Image noBlue = grey({1});
