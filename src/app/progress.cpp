@@ -27,6 +27,9 @@ std::string duration(double seconds) {
   return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
 }
 
+/// "6.2 %": two digits.
+std::string percent(double share) { return fmt::format("{:.2g} %", 100 * share); }
+
 }  // namespace
 
 std::string progressLine(const RenderProgress& progress) {
@@ -36,6 +39,8 @@ std::string progressLine(const RenderProgress& progress) {
   if (progress.photonsPerSecond > 0)
     line += fmt::format("  {}photons/s", threeDigits(progress.photonsPerSecond));
   if (progress.raysPerSecond > 0) line += fmt::format("  {}rays/s", threeDigits(progress.raysPerSecond));
+  if (progress.error >= 0) line += "  error " + percent(progress.error);
+  if (progress.error >= 0 && progress.target >= 0) line += " of " + percent(progress.target);
   if (std::isfinite(progress.secondsLeft) && progress.secondsLeft >= 0) {
     line += fmt::format("  {} left", duration(progress.secondsLeft));
   }

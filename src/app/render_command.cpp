@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "app/progress.h"
+#include "app/reference_errors.h"
 #include "app/stats_file.h"
 #include "fmt/format.h"
 #include "io/image.h"
@@ -78,9 +79,14 @@ ExitStatus runRender(const RenderCommand& command, const std::atomic<bool>& isIn
   const double loadSeconds = secondsSince(loadStart);
   if (!scene.hasCameraInFile) log.note("the scene has no camera: it is seen from one that frames it");
 
-  const auto showProgress = [&log](const RenderProgress& progress) { log.progress(progressLine(progress)); };
-  RenderResult result = render(job, scene, log, isInterrupted, showProgress, start);
+  ReferenceErrors errors(job, scene);
+  const auto afterPass = [&](const RenderProgress& progress) {
+    log.progress(progressLine(progress));
+    errors.measure(progress);
+  };
+  RenderResult result = render(job, scene, log, isInterrupted, afterPass, start);
   log.endProgress();
+  errors.report(result.stats.error);
   result.stats.seconds.load = loadSeconds;
 
   if (result.wasInterrupted && result.stats.passes == 0) {

@@ -65,6 +65,11 @@ void addOutputOptions(CLI::App& app, RenderCommand& command) {
          "density.global")
       ->type_name("LIST")
       ->group(group);
+  app.add_option("--reference", job.reference,
+                 "image to measure the error against after each pass, for\n--stats (default: none)")
+      ->check(notEmpty())
+      ->type_name("REF.exr")
+      ->group(group);
   app.add_option("--stats", job.stats, "counts, times and warnings as JSON (default: none)")
       ->check(notEmpty())
       ->type_name("F.json")
@@ -239,8 +244,9 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
 void checkRenderCommand(const RenderCommand& command) {
   const RenderJob& job = command.job;
   using Named = std::pair<const char*, const std::filesystem::path*>;
-  const std::array<Named, 4> files{Named{"SCENE", &job.scene}, Named{"--output", &job.output},
-                                   Named{"--png", &job.png}, Named{"--stats", &job.stats}};
+  const std::array<Named, 5> files{Named{"SCENE", &job.scene}, Named{"--output", &job.output},
+                                   Named{"--png", &job.png}, Named{"--stats", &job.stats},
+                                   Named{"--reference", &job.reference}};
   for (std::size_t i = 0; i < files.size(); ++i) {
     for (std::size_t j = i + 1; j < files.size(); ++j) {
       if (files[i].second->empty() || files[j].second->empty()) continue;

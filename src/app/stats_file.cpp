@@ -40,6 +40,13 @@ Json errorJson(const ErrorStats& error) {
   if (error.relmse) known["relmse"] = *error.relmse;
   if (error.relmseTrimmed) known["relmse_trimmed"] = *error.relmseTrimmed;
   if (error.smape) known["smape"] = *error.smape;
+  for (const ErrorPoint& point : error.passes) {
+    known["passes"].push_back({{"pass", point.pass},
+                               {"seconds", point.seconds},
+                               {"relmse", point.relmse},
+                               {"relmse_trimmed", point.relmseTrimmed},
+                               {"smape", point.smape}});
+  }
   return known;
 }
 

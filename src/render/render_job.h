@@ -38,6 +38,7 @@ struct RenderJob {
   int threads = 0;                           // 0: all
   std::optional<std::uint64_t> memoryMiB;    // cap for photon maps
   std::filesystem::path stats;               // empty: none
+  std::filesystem::path reference;           // adds the error against it to the statistics; empty: none
   bool validation = false;
   bool forcesAllFeatures = false;            // every feature on: must give the same image
   std::vector<std::string> commandLine;

@@ -165,6 +165,12 @@ Image RenderSession::resolve(int passes) {
   return image;
 }
 
+Image RenderSession::resolveColor(int passes) const {
+  Image image{size_.x, size_.y, {}, {}};
+  addColor(image, "", readFilm(passes).total);
+  return image;
+}
+
 void RenderSession::addAovs(Image& image, const FilmLayers& layers) {
   if (job_.aovs.empty()) return;
   std::vector<float> values(layers.total.size() * kAovFloats);

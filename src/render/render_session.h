@@ -31,6 +31,9 @@ class RenderSession {
   [[nodiscard]] double estimatedError(int passes) const { return readFilm(passes).estimatedError; }
   /// The image so far with the layers that the job asks for.
   [[nodiscard]] Image resolve(int passes);
+  /// The same without AOVs.
+  [[nodiscard]] Image resolveColor(int passes) const;
+  [[nodiscard]] std::uint64_t pixels() const { return static_cast<std::uint64_t>(size_.x) * static_cast<std::uint64_t>(size_.y); }
   [[nodiscard]] RenderStats& stats() { return stats_; }
   void finishStats(int passes);
 

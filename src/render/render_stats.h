@@ -29,9 +29,17 @@ struct PhaseSeconds {
   double total = 0, load = 0, bvh = 0, device = 0, importance = 0, photons = 0, gather = 0, output = 0;
 };
 
+/// The error against a reference after a pass.
+struct ErrorPoint {
+  int pass = 0;        // passes done
+  double seconds = 0;  // since the process started, without measuring
+  double relmse = 0, relmseTrimmed = 0, smape = 0;
+};
+
 /// What is known of the error; empty where nothing is.
 struct ErrorStats {
   std::optional<double> estimated, relmse, relmseTrimmed, smape;
+  std::vector<ErrorPoint> passes = {};  // where there is a reference
 };
 
 struct RenderStats {

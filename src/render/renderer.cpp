@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/render_session.h"
+#include "render/stop_rule.h"
 
 namespace importon {
 namespace {
@@ -11,19 +12,14 @@ using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// True when the job asks for no more passes. `lastPassSeconds` is how long one takes.
-bool isDone(const RenderJob& job, RenderSession& session, int passes, double seconds, double lastPassSeconds) {
-  if (passes >= session.maxPasses()) return true;
-  if (passes == 0) return false;
-  if (job.seconds && seconds + lastPassSeconds > *job.seconds) return true;
-  if (job.passes || (job.seconds && !job.error)) return false;
-  if (passes < 4 || passes % 2 != 0) return false;  // the halves must hold equally many passes
-  session.stats().error.estimated = session.estimatedError(passes);
-  return *session.stats().error.estimated <= job.error.value_or(kDefaultError);
+/// A first guess of the seconds that resolving and writing the image takes.
+double guessFinish(const RenderJob& job, const RenderSession& session) {
+  constexpr double kFilterSeconds = 4e-6, kWriteSeconds = 4e-7;  // per pixel; per pixel and layer
+  const double layers = 1 + static_cast<double>(job.aovs.size()) + (job.png.empty() ? 0 : 1);
+  return static_cast<double>(session.pixels()) * (kWriteSeconds * layers + (job.filtersIndirect ? kFilterSeconds : 0));
 }
 
-RenderProgress describeProgress(const RenderJob& job, RenderSession& session, int passes, double seconds,
-                                double passSeconds) {
+RenderProgress describeProgress(RenderSession& session, const StopRule& rule, int passes, double seconds) {
   const RenderStats& stats = session.stats();
   const double working = std::max(stats.seconds.photons + stats.seconds.gather, 1e-9);
   RenderProgress p;
@@ -32,7 +28,10 @@ RenderProgress describeProgress(const RenderJob& job, RenderSession& session, in
   p.seconds = seconds;
   p.photonsPerSecond = static_cast<double>(stats.photonsEmitted) / std::max(stats.seconds.photons, 1e-9);
   p.raysPerSecond = static_cast<double>(stats.closestRays + stats.shadowRays) / working;
-  p.secondsLeft = job.seconds ? std::max(0.0, *job.seconds - seconds) : passSeconds * (p.passes - passes);
+  p.secondsLeft = rule.secondsLeft(passes, seconds);
+  p.error = rule.error();
+  p.target = rule.target();
+  p.image = [&session, passes] { return session.resolveColor(passes); };
   return p;
 }
 
@@ -42,16 +41,26 @@ RenderResult render(const RenderJob& job, const Scene& scene, Log& log, const st
                     const std::function<void(const RenderProgress&)>& progress, Clock::time_point start) {
   RenderSession session(job, scene, log);
   if (session.hasMaps()) session.findImportance();
+  StopRule rule(job, session.maxPasses(), guessFinish(job, session));
   int passes = 0;
-  double passSeconds = 0;
-  while (!isDone(job, session, passes, secondsSince(start), passSeconds) && !isInterrupted) {
-    const Clock::time_point passStart = Clock::now();
+  double outside = 0;  // seconds spent in `progress`
+  const auto elapsed = [&] { return secondsSince(start) - outside; };
+  for (;;) {
+    if (rule.wantsEstimate(passes, elapsed())) {
+      const double estimateStart = elapsed();
+      const double error = session.estimatedError(passes);
+      rule.errorIs(passes, error, elapsed() - estimateStart);
+    }
+    if (rule.isDone(passes, elapsed()) || isInterrupted) break;
+    const double passStart = elapsed();
     session.shootPhotons(passes);
     session.gatherImage(passes);
     session.countPass(passes);
     ++passes;
-    passSeconds = secondsSince(passStart);
-    progress(describeProgress(job, session, passes, secondsSince(start), passSeconds));
+    rule.passTook(elapsed() - passStart);
+    const double outsideStart = elapsed();
+    progress(describeProgress(session, rule, passes, outsideStart));
+    outside += elapsed() - outsideStart;
   }
   RenderResult result;
   result.wasInterrupted = isInterrupted;

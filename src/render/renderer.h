@@ -12,13 +12,12 @@
 
 namespace importon {
 
-/// The error at which a job that sets no limit of its own stops.
-inline constexpr double kDefaultError = 0.05;
-
 /// Told after every pass. Negative: not known.
 struct RenderProgress {
   int pass = 0, passes = 0;
   double seconds = 0, photonsPerSecond = 0, raysPerSecond = 0, secondsLeft = -1;
+  double error = -1, target = -1;  // estimated relative error of the image; the one at which to stop
+  std::function<Image()> image = {};  // the image so far, resolved anew at each call: without AOVs
 };
 
 struct RenderResult {
@@ -28,7 +27,8 @@ struct RenderResult {
 };
 
 /// Renders until the job's limits are reached or `isInterrupted` turns true (asked between passes); then returns
-/// the image so far. `start` is when the process started: the job's seconds count from there. Throws DeviceError.
+/// the image so far. `start` is when the process started: the job's seconds count from there, without those spent in
+/// `progress`. Throws DeviceError.
 [[nodiscard]] RenderResult render(const RenderJob& job, const Scene& scene, Log& log,
                                   const std::atomic<bool>& isInterrupted,
                                   const std::function<void(const RenderProgress&)>& progress,

@@ -61,6 +61,39 @@ TEST(CliRender, SmokeWritesImagePreviewAndStats) {
   EXPECT_GT(stats["memory"]["host_peak_bytes"].get<double>(), 1e6);
 }
 
+TEST(CliRender, MeasuresTheErrorAfterEachPass) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(runImporton(smallRender(folder / "r.exr", {"--passes", "3", "--seed", "2"})).status, 0);
+  ASSERT_EQ(runImporton(smallRender(folder / "o.exr", {"--passes", "3", "--reference", folder / "r.exr", "--stats",
+                                                       folder / "o.json"}))
+                .status,
+            0);
+  const auto json = nlohmann::json::parse(readFile(folder / "o.json"));
+  const auto& points = json["error"]["passes"];
+  ASSERT_EQ(points.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(points[i]["pass"], i + 1);
+    EXPECT_GT(points[i]["relmse"], 0);
+  }
+  EXPECT_LT(points[0]["seconds"], points[2]["seconds"]);
+  const Outcome compared = runImporton({"compare", folder / "o.exr", folder / "r.exr", "--json"});
+  const auto expected = nlohmann::json::parse(compared.out);
+  for (const char* metric : {"relmse", "relmse_trimmed", "smape"}) {
+    EXPECT_EQ(json["error"][metric], expected[metric]) << metric;
+    EXPECT_EQ(points[2][metric], expected[metric]) << metric;
+  }
+}
+
+TEST(CliRender, RefusesAReferenceOfAnotherSize) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(runImporton(smallRender(folder / "r.exr", {"--passes", "1"})).status, 0);
+  const Outcome outcome =
+      runImporton({kScene, "-o", folder / "o.exr", "--width", "16", "--height", "12", "--reference", folder / "r.exr"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("32 x 24"), std::string::npos) << outcome.err;
+  EXPECT_EQ(folder.entries(), 1);
+}
+
 TEST(CliRender, ListsTheDevice) {
   const Outcome outcome = runImporton({"devices"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;

@@ -12,6 +12,12 @@ TEST(ProgressLine, TellsAllThatIsKnown) {
             "pass 3/64  12 s  1.23 Mphotons/s  45.7 Mrays/s  40 s left");
 }
 
+TEST(ProgressLine, TellsTheErrorAndItsTarget) {
+  EXPECT_EQ(progressLine({3, 64, 12, 0, 0, 40, 0.0621, 0.05}), "pass 3/64  12 s  error 6.2 % of 5 %  40 s left");
+  EXPECT_EQ(progressLine({3, 64, 12, 0, 0, 40, 0.5, -1}), "pass 3/64  12 s  error 50 %  40 s left");
+  EXPECT_EQ(progressLine({3, 64, 12, 0, 0, 40, -1, 0.05}), "pass 3/64  12 s  40 s left");
+}
+
 TEST(ProgressLine, LeavesOutWhatIsNotKnown) {
   EXPECT_EQ(progressLine({1, 0, 0.5, 0, 0, -1}), "pass 1  1 s");
   EXPECT_EQ(progressLine({1, 0, 0.5, 0, 0, std::numeric_limits<double>::infinity()}), "pass 1  1 s");

@@ -1,0 +1,51 @@
+/// When a render has done enough: passes, time, or estimated error.
+#pragma once
+#include "render/render_job.h"
+
+namespace importon {
+
+/// The error at which a job that sets no limit of its own stops.
+inline constexpr double kDefaultError = 0.05;
+
+/// Told what passes and estimates take and bring; says when to estimate the error, when to stop, and how long it
+/// will be. All seconds are wall clock. The error of n passes is taken to go as n^-s, s from the last two
+/// estimates, within [0.2, 0.5].
+class StopRule {
+ public:
+  /// `finishSeconds`: a first guess of what resolving and writing the image takes; estimates correct it.
+  StopRule(const RenderJob& job, int maxPasses, double finishSeconds);
+
+  void passTook(double seconds);
+  /// `seconds` is what finding it took: about as much as resolving the image at the end will.
+  void errorIs(int passes, double error, double seconds);
+
+  /// True if the error should be estimated now. Estimates come where the target may have been reached, and else
+  /// so rarely that they cost at most a twentieth of the time.
+  [[nodiscard]] bool wantsEstimate(int passes, double secondsSinceStart) const;
+  /// True if no further pass is to be made: enough passes, the error reached, or no time left for another pass
+  /// and for writing the image. One pass is always made.
+  [[nodiscard]] bool isDone(int passes, double secondsSinceStart) const;
+
+  /// Until isDone, as far as is known; negative: not known.
+  [[nodiscard]] double secondsLeft(int passes, double secondsSinceStart) const;
+  /// The last estimate; negative: none.
+  [[nodiscard]] double error() const { return error_; }
+  /// The error that the render is to reach; negative: none.
+  [[nodiscard]] double target() const { return target_; }
+
+ private:
+  /// Passes after which the error is expected to be at its target, from the last estimate.
+  [[nodiscard]] double passesToTarget() const;
+
+  int maxPasses_;
+  double budget_ = -1;       // s since the process started, negative: none
+  double target_ = -1;       // error, negative: none
+  double passSeconds_ = 0;   // of the slower of the last two passes
+  double lastPassSeconds_ = 0;
+  double estimateSeconds_ = 0, outputSeconds_ = 0;
+  double error_ = -1;
+  int errorPasses_ = 0;      // at which error_ was found
+  double slope_ = 0.4;       // s
+};
+
+}  // namespace importon

@@ -1,0 +1,112 @@
+#include "render/stop_rule.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace importon {
+namespace {
+
+RenderJob jobOf(std::optional<int> passes, std::optional<double> seconds, std::optional<double> error) {
+  RenderJob job;
+  job.passes = passes;
+  job.seconds = seconds;
+  job.error = error;
+  return job;
+}
+
+/// What becomes of a render whose passes take `passSeconds`, estimates `estimateSeconds`, with error(passes).
+struct Outcome {
+  int passes = 0, estimates = 0;
+  double seconds = 0;
+};
+
+template <class Error>
+Outcome play(const RenderJob& job, int maxPasses, double passSeconds, double estimateSeconds, const Error& error) {
+  StopRule rule(job, maxPasses, estimateSeconds);
+  Outcome outcome;
+  for (;;) {
+    if (rule.wantsEstimate(outcome.passes, outcome.seconds)) {
+      outcome.seconds += estimateSeconds;
+      rule.errorIs(outcome.passes, error(outcome.passes), estimateSeconds);
+      ++outcome.estimates;
+    }
+    if (rule.isDone(outcome.passes, outcome.seconds)) return outcome;
+    outcome.seconds += passSeconds;
+    rule.passTook(passSeconds);
+    ++outcome.passes;
+  }
+}
+
+double rootError(int passes) { return 0.4 / std::sqrt(passes); }
+
+TEST(StopRule, MakesAsManyPassesAsAsked) {
+  const Outcome outcome = play(jobOf(7, {}, {}), 7, 1, 1, rootError);
+  EXPECT_EQ(outcome.passes, 7);
+  EXPECT_EQ(outcome.estimates, 0);
+}
+
+// 0.4/sqrt(64) = 0.05.
+TEST(StopRule, StopsAtTheErrorWithFewEstimates) {
+  const Outcome outcome = play(jobOf({}, {}, 0.05), 1000, 1, 1, rootError);
+  EXPECT_GE(outcome.passes, 64);
+  EXPECT_LE(outcome.passes, 66);
+  EXPECT_LE(outcome.estimates, 7);
+}
+
+TEST(StopRule, HasADefaultTarget) {
+  EXPECT_EQ(StopRule(jobOf({}, {}, {}), 64, 0).target(), kDefaultError);
+  EXPECT_LT(StopRule(jobOf(5, {}, {}), 5, 0).target(), 0);
+  EXPECT_LT(StopRule(jobOf({}, 5, {}), 5, 0).target(), 0);
+}
+
+// The first stop is at two passes in each half, and the halves must be equal.
+TEST(StopRule, StopsOnlyWhereBothHalvesHoldEquallyMany) {
+  EXPECT_EQ(play(jobOf({}, {}, 1), 1000, 1, 0, rootError).passes, 4);
+  for (const double target : {0.1, 0.07, 0.03, 0.011}) {
+    EXPECT_EQ(play(jobOf({}, {}, target), 100000, 1, 0.1, rootError).passes % 2, 0) << target;
+  }
+}
+
+TEST(StopRule, KeepsATimeBudgetWithTheFinishCounted) {
+  for (const double budget : {5.0, 20.0, 100.0}) {
+    const Outcome outcome = play(jobOf({}, budget, {}), 1 << 20, 0.7, 0.5, rootError);
+    const double end = outcome.seconds + 2 * 0.5;  // the estimate's length and the guess for writing
+    EXPECT_LE(end, budget);
+    EXPECT_GT(end, budget - 0.7 - 0.5 - 1e-9);
+  }
+}
+
+TEST(StopRule, MakesOnePassEvenWithoutTime) {
+  EXPECT_EQ(play(jobOf({}, 0.1, {}), 1 << 20, 3, 1, rootError).passes, 1);
+}
+
+TEST(StopRule, GivesUpAtTheMostPasses) {
+  EXPECT_EQ(play(jobOf({}, {}, 1e-6), 50, 1, 1, rootError).passes, 50);
+}
+
+TEST(StopRule, StopsAtWhicheverComesFirst) {
+  EXPECT_LE(play(jobOf({}, 30, 1e-6), 1 << 20, 1, 0, rootError).seconds, 30);
+  EXPECT_LE(play(jobOf({}, 1e6, 0.1), 1 << 20, 1, 0, rootError).passes, 18);
+}
+
+// Nothing spends more than a twentieth of the time, beside the doublings, on estimates.
+TEST(StopRule, EstimatesRarelyWhereTheyAreDear) {
+  const Outcome outcome = play(jobOf({}, {}, 0.01), 10000, 0.1, 2, rootError);
+  EXPECT_GE(outcome.passes, 1600);
+  EXPECT_LE(outcome.estimates, 16);
+}
+
+TEST(StopRule, TellsTheTimeLeft) {
+  StopRule rule(jobOf({}, {}, 0.05), 1000, 0);
+  rule.passTook(2);
+  rule.errorIs(16, 0.1, 0);
+  rule.errorIs(32, 0.1 / std::sqrt(2), 0);  // 64 passes will be needed
+  EXPECT_NEAR(rule.secondsLeft(32, 64), 64, 1e-6);
+  StopRule timed(jobOf({}, 10, {}), 1 << 20, 0);
+  timed.passTook(2);
+  EXPECT_NEAR(timed.secondsLeft(2, 4), 6, 1e-9);
+}
+
+}  // namespace
+}  // namespace importon
