@@ -48,7 +48,7 @@ float lookupDensity(MapSettings map, vec3 position, vec3 normal) {
   const float required = requiredDensityAt(map, importon);
   if (params.pass == 0u || importon == kNone) return required;
   const float perArea = importonImportance(importon) / (map.importonFlux * float(kImportonsPerSite));
-  const float hits = (float(texelFetch(importonHits, int(importon)).x) + 0.5) / float(params.pass + 1u);
+  const float hits = (float(texelFetch(importonHits, int(importon)).x) + 0.5) / float(min(params.pass + 1u, kCountingPasses));
   const float available = hits * perArea * (params.lookupPhotons / kFewestPhotons) * params.densityScale;
   return clamp(available, map.densityFloor * params.densityScale, required);
 }

@@ -16,7 +16,7 @@ void main() {
   MapSettings map = params.causticMap;
   if (push.isGlobal != 0u) map = params.globalMap;
   const uint importon = importonAt(importonFrame(), map.importonLevels, point.position, mapPointNormal(point.packed));
-  if (importon != kNone) atomicAdd(hitsOut[importon], 1u);
+  if (importon != kNone && params.pass < kCountingPasses) atomicAdd(hitsOut[importon], 1u);
   const float density = requiredDensityAt(map, importon);
   const GridFrame frame = GridFrame(params.gridOrigin, params.gridExtent, push.slotMask);
   const uint level = gridLevel(frame, quotaRadius(density));

@@ -59,7 +59,6 @@ void main() {
   const uint count = findReceivers(selectedPoints[i], quotaRadius(required[i]));
   keep[i] = uint(count == 0u);
   if (count == 0u) return;
-  atomicAdd(counters[kCounterRedistributed], 1u);
   const vec3 flux = records[selection[i]].flux * params.fluxScale;
   for (uint c = 0u; c < 3u; ++c) {
     uint rest;

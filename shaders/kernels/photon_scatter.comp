@@ -9,10 +9,12 @@
 
 layout(push_constant, scalar) uniform PushBlock { PhotonScatterPush push; };
 
-void writeRecord(uint at, Surface s, vec3 direction, PathState path) {
+void writeRecord(uint at, Surface s, bool isGlossy, vec3 direction, PathState path) {
   const bool isCaustic = (path.flags & (kPathScattered | kPathSpecular)) == kPathSpecular;
+  const uint rank = path.id << 5 | min(path.flags & kPathDepthMask, 31u);
   recordPoints[at] = MapPoint(s.position, packMapPoint(-direction, s.geometricNormal, 0u));
-  records[at] = Record(path.throughput, kRecordGlobal | (isCaustic ? kRecordCaustic : 0u));
+  records[at] = Record(path.throughput, kRecordGlobal | (isCaustic ? kRecordCaustic : 0u) |
+                                            (isGlossy ? kRecordGlossy : 0u) | rank << kRecordRankShift);
 }
 
 /// Beyond it the normals contradict each other; the rest would come as a few very bright photons.
@@ -59,7 +61,7 @@ void main() {
   if (kHasMedia) path.throughput *= mediumTransmittance(path.medium, s, hit.t);
   const mat3 frame = frameAround(s.shadingNormal);
   const Bsdf b = makeBsdf(s, dot(-ray.direction, s.shadingNormal));
-  if (hasRoughLobe(b) && !isFrosted(b)) writeRecord(at, s, ray.direction, path);
+  if (hasRoughLobe(b) && !isFrosted(b)) writeRecord(at, s, isGlossy(b), ray.direction, path);
   Ray next;
   if (!scatter(s, b, frame, ray.direction, path, next)) return;
   keep[i] = 1u;

@@ -74,6 +74,8 @@ bool hasSmoothLobe(Bsdf b) { return b.isSmooth && b.pReflect + b.pTransmit > 0.0
 /// True for a surface that transmits and is rough. Light comes to it from both sides, which a map of photons on one
 /// side cannot show, so for the maps it is specular: photons pass it as they pass clear glass.
 bool isFrosted(Bsdf b) { return kHasTransmission && !b.isSmooth && b.transmission * (1.0 - b.metallic) > 0.0; }
+/// True where the direction of light matters beyond its cosine.
+bool isGlossy(Bsdf b) { return kHasReflection && !b.isSmooth && (b.alpha < 0.3 || maxComponent(b.f0) > 0.2); }
 bool hasRoughLobe(Bsdf b) { return b.pDiffuse > 0.0 || (!b.isSmooth && b.pReflect + b.pTransmit > 0.0); }
 
 /// Diffuse part times cosine: Lambert under the dielectric's interface. Light passes it on the way in and on the way

@@ -37,4 +37,23 @@ uint importonAt(GridFrame frame, uint levels, vec3 position, vec3 normal) {
   return kNone;
 }
 
+/// Index of an importon whose importance stands for a whole cell around `position`: of those in the finest cell that
+/// has any with a like normal, the first; kNone where none is near.
+uint cellImportonAt(GridFrame frame, uint levels, vec3 position, vec3 normal) {
+  while (levels != 0u) {
+    const uint level = uint(findMSB(levels));
+    levels ^= 1u << level;
+    const ivec3 cell = gridCellOf(frame, position, level);
+    const uvec2 range = importonCell(gridSlot(frame, cell, level));
+    const uint end = min(range.y, range.x + kImportonCandidates);
+    for (uint i = range.x; i < end; ++i) {
+      const uvec4 point = importonPoint(i);
+      if (mapPointLevel(point.w) == level && gridCellOf(frame, uintBitsToFloat(point.xyz), level) == cell &&
+          hasLikeNormal(point.w, normal, 0.7))
+        return i;
+    }
+  }
+  return kNone;
+}
+
 #endif

@@ -71,6 +71,8 @@ SHARED_CONST uint kBindingNeighbours = 54;     // storage, uint[]: photons withi
 SHARED_CONST uint kBindingWeightsOut = 55;     // storage, float[]: pixels that each importon carries, in cell order
 SHARED_CONST uint kBindingImportonHits = 57;   // texel uint1: hits near each importon in all passes so far
 SHARED_CONST uint kBindingImportonHitsOut = 58;  // storage: the same
+SHARED_CONST uint kBindingPhotonCells = 59;     // storage, PhotonCell[]: lib/photon_cell.glsl
+SHARED_CONST uint kBindingPhotonSlots = 60;     // storage, uint[]: cell of each stored photon
 SHARED_CONST uint kBindingWeights = 56;        // texel float1: the same
 SHARED_CONST uint kBindingPathLight = 52;      // storage, PathLight[], by slot
 

@@ -99,6 +99,11 @@ struct MapLookupPush {
   uint levels;  // counter with the map's grid levels
 };
 
+/// kernels/cell_find.comp
+struct CellFindPush {
+  uint isGlobal;
+};
+
 /// kernels/photon_emit.comp
 struct PhotonEmitPush {
   uint firstPhoton;

@@ -78,6 +78,9 @@ SHARED_CONST uint kPathLookupDeep = 0x4000u; // its map lookup counts as indirec
 /// Importance is estimated at every so-manieth importon, from all of them.
 SHARED_CONST uint kImportonsPerSite = 4u;
 
+/// Hits near importons are counted in so many passes.
+SHARED_CONST uint kCountingPasses = 8u;
+
 /// What a path brought to its pixel in this pass, W/(m² sr); direct and caustic with their modulation, indirect
 /// with it too, and the modulation apart.
 struct PathLight {
@@ -138,6 +141,16 @@ struct Record {
 SHARED_CONST uint kRecordNone = 0u;
 SHARED_CONST uint kRecordCaustic = 1u;  // belongs to the caustic map
 SHARED_CONST uint kRecordGlobal = 2u;   // belongs to the global map; photons after S+ belong to both
+SHARED_CONST uint kRecordGlossy = 4u;   // its surface does not reflect by Lambert's law alone
+SHARED_CONST uint kRecordRankShift = 3u;  // above: a rank by path, then bounce, 29 bits
+
+/// A cell of the scene that one stored photon speaks for; see lib/photon_cell.glsl.
+struct PhotonCell {
+  uint keyA;    // two hashes of the cell, kNone: free
+  uint keyB;
+  uint photon;  // the stored photon, or kCellClaim + the least rank of the hits that found the cell empty
+};
+SHARED_CONST uint kCellClaim = 0x40000000u;
 
 /// Workgroup counts of dispatches over what a counter counts: one invocation an item, or one a tile, or as many as
 /// trace a queue of rays (lib/trace_queue.glsl).
@@ -169,7 +182,6 @@ SHARED_CONST uint kCounterOverflow = 8u;      // photons that found no room
 SHARED_CONST uint kCounterRaysClosest = 9u;   // rays traced in this pass
 SHARED_CONST uint kCounterRaysShadow = 10u;
 SHARED_CONST uint kCounterLevels = 11u;       // grid levels of the importons or the batch at work, a bit each
-SHARED_CONST uint kCounterRedistributed = 12u;  // hits of the map at work that gave their power away
 SHARED_CONST uint kCounterSites = 15u;         // importons at which importance is estimated
 SHARED_CONST uint kCounterStoredLevels = 14u;   // grid levels of the stored photons at work, a bit each
 SHARED_CONST uint kCounterSample = 32u; // camera path of each pixel at work in this pass
@@ -179,7 +191,7 @@ SHARED_CONST uint kCounterMap = 16u;
 SHARED_CONST uint kCountersPerMap = 4u;
 SHARED_CONST uint kMapStored = 0u;
 SHARED_CONST uint kMapHits = 1u;
-SHARED_CONST uint kMapRedistributed = 2u;
+SHARED_CONST uint kMapOverflow = 2u;           // photons that found no room
 SHARED_CONST uint kMapLevels = 3u;             // grid levels of the finished map, a bit each
 SHARED_CONST uint kCounterCount = 64u;
 

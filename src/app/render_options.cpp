@@ -169,7 +169,7 @@ void addDensityOptions(CLI::App& app, RenderJob& job) {
       ->type_name("D")
       ->group(group);
   app.add_option("--redistribute", job.redistribute,
-                 withDefault("stored photons that share a rejected photon's power", job.redistribute))
+                 "nearest stored photons that share a rejected photon's power\n(default: the one of its cell)")
       ->check(wholeNumber(1, kMostReceivers, "photons"))
       ->type_name("M")
       ->group(group);

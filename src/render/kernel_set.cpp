@@ -58,6 +58,11 @@ std::vector<Entry> listMaps(KernelSet& k) {
           {&k.photonQuota, "density quota", "photon_quota", {}},
           {&k.photonStore, "store photons", "photon_store", {}},
           {&k.photonKey, "photon key", "photon_key", {}},
+          {&k.cellFind, "find cell", "cell_find", {}},
+          {&k.cellClaim, "claim cell", "cell_claim", {}},
+          {&k.cellSettle, "settle cell", "cell_settle", {}},
+          {&k.cellAdd, "add to cell", "cell_add", {}},
+          {&k.cellClear, "clear cells", "cell_clear", {}},
           {&k.photonRedistribute, "redistribute power", "photon_redistribute", {}},
           {&k.photonResolve, "resolve map", "photon_resolve", {}},
           {&k.fluxSum, "sum flux", "flux_sum", {}}};

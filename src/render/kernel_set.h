@@ -13,6 +13,7 @@ struct KernelSet {
       importonDensity, importonKey, importonResolve;
   gpu::Kernel photonEmit, photonScatter, recordSelect, hitKey, photonQuota, photonStore, photonKey,
       photonRedistribute, photonResolve, fluxSum;
+  gpu::Kernel cellFind, cellClaim, cellSettle, cellAdd, cellClear;
 };
 
 /// Compiles what `features` and `integrator` call for, on up to `threads` threads (0: all).

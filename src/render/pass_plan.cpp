@@ -38,7 +38,7 @@ PassPlan planPasses(const RenderJob& job, glm::ivec2 size, const gpu::Limits& li
   plan.maxPasses = job.passes.value_or(job.seconds ? 1 << 20 : 64);
   plan.workspace.slots = plan.tilePixels;
   plan.samples = static_cast<std::uint32_t>(job.gather.value_or(1));
-  plan.receivers = static_cast<uint>(job.redistribute);
+  plan.receivers = static_cast<uint>(job.redistribute.value_or(0));
   if (job.integrator == Integrator::path) {
     plan.importons = 1;
     plan.workspace.records = 1;

@@ -12,7 +12,7 @@ struct PassPlan {
   std::uint32_t importons = 0;
   std::uint32_t samples = 1;    // camera paths, and so gather rays, per pixel and pass
   uint nearestImportons = 32;   // M of the importance estimate
-  uint receivers = 1;           // M'
+  uint receivers = 0;           // M'; 0: the photon of its cell
   std::uint64_t tilePixels = 0;
   std::uint64_t mapCapacity = 0;  // photons
   int maxPasses = 64;

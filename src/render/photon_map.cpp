@@ -16,6 +16,8 @@ PhotonMap::PhotonMap(gpu::Context& context, MapKind kind, std::uint64_t capacity
       flux_(context, "photon flux", capacity * 6 * sizeof(uint)),
       mapFlux_(context, "map flux", capacity * sizeof(uvec2), TexelFormat::uint2),
       totals_(context, "flux totals", 12 * sizeof(uint)),
+      cells_(context, "photon cells", (capacity + capacity / 4 + 1) * sizeof(PhotonCell)),
+      slots_(context, "photon slots", capacity * sizeof(uint)),
       stored_(context, "stored photons", capacity),
       batch_(context, "batch", batchHits) {}
 
@@ -24,24 +26,25 @@ uint PhotonMap::counter(uint which) const {
 }
 
 void PhotonMap::begin(const Stage& stage) {
-  for (const uint which : {kMapStored, kMapHits, kMapRedistributed}) setCounter(stage, counter(which), 0);
+  for (const uint which : {kMapStored, kMapHits, kMapOverflow}) setCounter(stage, counter(which), 0);
   stage.recorder.fill(totals_, 0);
   stage.recorder.fill(stored_.cells, 0);
   hasStored_ = false;
 }
 
-void PhotonMap::store(const Stage& stage, gpu::BindingTable& table) {
+void PhotonMap::store(const Stage& stage, gpu::BindingTable& table) const {
   compact(stage, kCounterSelected, kCounterAccepted, nullptr, stage.work.accepted);
   table.set(kBindingNextQueue, stage.work.accepted);
   overItems(stage, stage.kernels.photonStore, table, kCounterAccepted,
             PhotonStorePush{static_cast<uint>(capacity_)});
+}
+
+void PhotonMap::countStored(const Stage& stage) const {
   setCounter(stage, kCounterStored, 0, kCounterStored, kCounterAccepted, static_cast<uint>(capacity_));
 }
 
 void PhotonMap::addBatch(const Stage& stage, const ImportanceMap& importance, DensityControl control,
                          uint receivers) {
-  const bool isControlled = control == DensityControl::density;
-  const KernelSet& kernels = stage.kernels;
   gpu::BindingTable table = stage.work.table;
   importance.bind(table);
   table.set(kBindingPhotonPoints, points_);
@@ -49,35 +52,66 @@ void PhotonMap::addBatch(const Stage& stage, const ImportanceMap& importance, De
   table.set(kBindingTotals, totals_);
   table.set(kBindingKeysOut, stage.work.keysA);
   setCounter(stage, kCounterStored, 0, counter(kMapStored));
-  setCounter(stage, kCounterRedistributed, 0);
+  setCounter(stage, kCounterOverflow, 0, counter(kMapOverflow));
   setCounter(stage, kCounterLevels, 0);
 
-  overItems(stage, kernels.recordSelect, table, kCounterRecords, RecordSelectPush{kCounterRecords, recordMask(kind_)});
+  overItems(stage, stage.kernels.recordSelect, table, kCounterRecords,
+            RecordSelectPush{kCounterRecords, recordMask(kind_)});
   compact(stage, kCounterRecords, kCounterSelected, nullptr, stage.work.selection);
-  overTiles(stage, kernels.fluxSum, table, kCounterSelected, FluxSumPush{0, kCounterSelected});
-  overItems(stage, kernels.hitKey, table, kCounterSelected,
-            HitKeyPush{kind_ == MapKind::global, batch_.slotMask, isControlled});
-  if (isControlled) {
-    buildGrid(stage, batch_, kCounterSelected, stage.work.selectedPoints);
-    table.set(kBindingValuesIn, batch_.order);
-    if (hasStored_) {
-      bindStored(table, stored_);
-      overItems(stage, kernels.photonQuota, table, kCounterSelected, PhotonQuotaPush{0, 0});
+  overTiles(stage, stage.kernels.fluxSum, table, kCounterSelected, FluxSumPush{0, kCounterSelected});
+  const bool isControlled = control == DensityControl::density;
+  if (isControlled && receivers == 0) {
+    controlByCells(stage, table);
+  } else {
+    overItems(stage, stage.kernels.hitKey, table, kCounterSelected,
+              HitKeyPush{kind_ == MapKind::global, batch_.slotMask, isControlled});
+    if (isControlled) {
+      controlByQuota(stage, table, importance, receivers);
+    } else {
+      store(stage, table);
+      countStored(stage);
     }
-    bindStored(table, batch_);
-    overItems(stage, kernels.photonQuota, table, kCounterSelected, PhotonQuotaPush{1, hasStored_});
   }
-  store(stage, table);
-  if (isControlled) {
-    buildStoredGrid(stage, importance, false);
-    bindStored(table, stored_);
-    overItems(stage, kernels.photonRedistribute, table, kCounterSelected, PhotonRedistributePush{receivers});
-    store(stage, table);  // those without a receiver
-  }
-  hasStored_ = isControlled;
+  hasStored_ = true;
   setCounter(stage, counter(kMapStored), 0, kCounterStored);
+  setCounter(stage, counter(kMapOverflow), 0, kCounterOverflow);
   setCounter(stage, counter(kMapHits), 0, counter(kMapHits), kCounterSelected);
-  setCounter(stage, counter(kMapRedistributed), 0, counter(kMapRedistributed), kCounterRedistributed);
+}
+
+void PhotonMap::controlByCells(const Stage& stage, gpu::BindingTable& table) {
+  if (!hasCells_) {
+    stage.recorder.fill(cells_, kNone);
+    hasCells_ = true;
+  }
+  const KernelSet& kernels = stage.kernels;
+  table.set(kBindingPhotonCells, cells_);
+  table.set(kBindingPhotonSlots, slots_);
+  overItems(stage, kernels.cellFind, table, kCounterSelected, CellFindPush{kind_ == MapKind::global});
+  overItems(stage, kernels.cellClaim, table, kCounterSelected);
+  store(stage, table);
+  overItems(stage, kernels.cellSettle, table, kCounterAccepted);
+  overItems(stage, kernels.cellAdd, table, kCounterSelected);
+  countStored(stage);
+}
+
+void PhotonMap::controlByQuota(const Stage& stage, gpu::BindingTable& table, const ImportanceMap& importance,
+                               uint receivers) {
+  const KernelSet& kernels = stage.kernels;
+  buildGrid(stage, batch_, kCounterSelected, stage.work.selectedPoints);
+  table.set(kBindingValuesIn, batch_.order);
+  if (hasStored_) {
+    bindStored(table, stored_);
+    overItems(stage, kernels.photonQuota, table, kCounterSelected, PhotonQuotaPush{0, 0});
+  }
+  bindStored(table, batch_);
+  overItems(stage, kernels.photonQuota, table, kCounterSelected, PhotonQuotaPush{1, hasStored_});
+  store(stage, table);
+  countStored(stage);
+  buildStoredGrid(stage, importance, false);
+  bindStored(table, stored_);
+  overItems(stage, kernels.photonRedistribute, table, kCounterSelected, PhotonRedistributePush{receivers});
+  store(stage, table);  // those without a receiver
+  countStored(stage);
 }
 
 void PhotonMap::buildStoredGrid(const Stage& stage, const ImportanceMap& importance, bool isFinished) {
@@ -103,8 +137,11 @@ void PhotonMap::finish(const Stage& stage, const ImportanceMap& importance) {
   table.set(kBindingValuesIn, stored_.order);
   table.set(kBindingPointsOut, mapFlux_);
   overTiles(stage, stage.kernels.fluxSum, table, kCounterStored, FluxSumPush{1, kCounterStored});
-  stage.recorder.dispatchIndirect(stage.kernels.photonResolve, table, stage.work.dispatches,
-                                  kCounterStored * sizeof(DispatchArguments));
+  overItems(stage, stage.kernels.photonResolve, table, kCounterStored);
+  if (!hasCells_) return;
+  table.set(kBindingPhotonCells, cells_);
+  table.set(kBindingPhotonSlots, slots_);
+  overItems(stage, stage.kernels.cellClear, table, kCounterStored);
 }
 
 void PhotonMap::bindFinished(gpu::BindingTable& table) const {
@@ -118,8 +155,8 @@ PhotonMapCounts PhotonMap::readCounts(const Stage& stage, float fluxScale) const
   PhotonMapCounts counts;
   counts.hits = counters[counter(kMapHits)];
   counts.stored = counters[counter(kMapStored)];
-  counts.redistributed = counters[counter(kMapRedistributed)];
-  counts.overflow = counters[kCounterOverflow];
+  counts.overflow = counters[counter(kMapOverflow)];
+  counts.redistributed = counts.hits - counts.stored - counts.overflow;
   for (std::size_t c = 0; c < 3; ++c) {
     counts.fluxHits[c] = static_cast<double>(totals[c]) / static_cast<double>(fluxScale);
     counts.fluxMap[c] = static_cast<double>(totals[3 + c]) / static_cast<double>(fluxScale);

@@ -22,7 +22,8 @@ class PhotonMap {
 
   /// Empties the map for a new pass.
   void begin(const Stage& stage);
-  /// Takes the batch of hits in the workspace's records.
+  /// Takes the batch of hits in the workspace's records. `receivers`: the M' nearest photons that share the power of
+  /// a rejected hit, by the rank quota; 0: the one of its cell.
   void addBatch(const Stage& stage, const ImportanceMap& importance, DensityControl control, uint receivers);
   /// Sorts the photons for lookups.
   void finish(const Stage& stage, const ImportanceMap& importance);
@@ -35,14 +36,17 @@ class PhotonMap {
   [[nodiscard]] std::uint64_t bytes() const;
 
  private:
-  void store(const Stage& stage, gpu::BindingTable& table);
+  void store(const Stage& stage, gpu::BindingTable& table) const;
+  void countStored(const Stage& stage) const;
+  void controlByCells(const Stage& stage, gpu::BindingTable& table);
+  void controlByQuota(const Stage& stage, gpu::BindingTable& table, const ImportanceMap& importance, uint receivers);
   void buildStoredGrid(const Stage& stage, const ImportanceMap& importance, bool isFinished);
   [[nodiscard]] uint counter(uint which) const;
 
   MapKind kind_;
   std::uint64_t capacity_;
-  bool hasStored_ = false;
-  gpu::Buffer points_, flux_, mapFlux_, totals_;
+  bool hasStored_ = false, hasCells_ = false;
+  gpu::Buffer points_, flux_, mapFlux_, totals_, cells_, slots_;
   PointGrid stored_, batch_;
 };
 

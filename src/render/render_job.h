@@ -28,7 +28,7 @@ struct RenderJob {
   std::optional<std::uint32_t> photonBatch;  // photons traced at once
   double causticDensity = 20, globalDensity = 1.5;  // M_r, photons per pixel footprint
   std::optional<double> constantDensity;     // photons/m², the same everywhere
-  int redistribute = 1;                      // M'
+  std::optional<int> redistribute;           // M'; unset: to the photon of its cell
   std::optional<int> gather;                 // final gather rays per pixel and pass
   bool filtersIndirect = true;               // --indirect-filter auto, off
   int maxDepth = 16;                         // scattering events

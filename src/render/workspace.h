@@ -41,6 +41,9 @@ void overItems(const Stage& stage, const gpu::Kernel& kernel, const gpu::Binding
                const Push& push) {
   stage.recorder.dispatchIndirect(kernel, table, stage.work.dispatches, counter * sizeof(DispatchArguments), push);
 }
+inline void overItems(const Stage& stage, const gpu::Kernel& kernel, const gpu::BindingTable& table, uint counter) {
+  stage.recorder.dispatchIndirect(kernel, table, stage.work.dispatches, counter * sizeof(DispatchArguments));
+}
 template <class Push>
 void overTiles(const Stage& stage, const gpu::Kernel& kernel, const gpu::BindingTable& table, uint counter,
                const Push& push) {

@@ -47,6 +47,8 @@ std::vector<HostLayout> hostLayouts() {
       IMPORTON_LAYOUT(Record, flux, kind),
       IMPORTON_LAYOUT(DispatchArguments, items, tiles, rays),
       // shared/push_data.h
+      IMPORTON_LAYOUT(PhotonCell, keyA, keyB, photon),
+      IMPORTON_LAYOUT(CellFindPush, isGlobal),
       IMPORTON_LAYOUT(CompactCountPush, source),
       IMPORTON_LAYOUT(CompactScatterPush, source, takesIndex),
       IMPORTON_LAYOUT(EyeEmitPush, first, count, total, isCentred),

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "method/map_rig.h"
 #include "method/render_scene.h"
@@ -36,11 +37,16 @@ RenderJob planeJob(double density, std::uint32_t photons = 1u << 18) {
 
 class DensityControlTest : public test::GpuTest {};
 
-TEST_F(DensityControlTest, StoresTheRequiredDensityEverywhere) {
+// Receivers: 0 for control by cells, else M' and the rank quota.
+class DensityControlBy : public test::GpuTest, public testing::WithParamInterface<uint> {};
+INSTANTIATE_TEST_SUITE_P(Receivers, DensityControlBy, testing::Values(0u, 1u));
+
+TEST_P(DensityControlBy, StoresTheRequiredDensityEverywhere) {
+  const uint receivers = GetParam();
   const double density = 4000;  // photons/m²; 40,000 arrive
   const Scene scene = plane();
   test::MapRig rig(context(), scene, planeJob(density));
-  const PhotonMap map = rig.shoot(MapKind::global, DensityControl::density, 1);
+  const PhotonMap map = rig.shoot(MapKind::global, DensityControl::density, receivers);
   constexpr int kSide = 8;  // cells across the inner 1.6 m: 160 photons each
   std::vector<int> cells(kSide * kSide);
   for (const MapPoint& photon : rig.photons(map)) {
@@ -54,9 +60,29 @@ TEST_F(DensityControlTest, StoresTheRequiredDensityEverywhere) {
   }
 }
 
+TEST_F(DensityControlTest, ByCellsStoresTheSamePhotonsInBatchesOfAnySize) {
+  const Scene scene = plane();
+  std::vector<MapPoint> first;
+  const auto byPlace = [](const MapPoint& a, const MapPoint& b) {
+    return std::tie(a.position.x, a.position.z, a.packed) < std::tie(b.position.x, b.position.z, b.packed);
+  };
+  for (const std::uint32_t batch : {1u << 10, 1u << 14, 1u << 18}) {
+    RenderJob job = planeJob(4000);
+    job.photonBatch = batch;
+    test::MapRig rig(context(), scene, job);
+    const PhotonMap map = rig.shoot(MapKind::global, DensityControl::density, 0);
+    EXPECT_TRUE(rig.counts(map).isEnergyExact) << "batches of " << batch;
+    std::vector<MapPoint> photons = rig.photons(map);
+    std::sort(photons.begin(), photons.end(), byPlace);
+    if (first.empty()) first = photons;
+    ASSERT_EQ(photons.size(), first.size()) << "batches of " << batch;
+    for (std::size_t i = 0; i < photons.size(); ++i) ASSERT_EQ(photons[i].position, first[i].position);
+  }
+}
+
 // One batch counts all hits before a hit, so it stores D_r; many small ones count stored photons only, and fill the
 // gaps between them up to a third more.
-TEST_F(DensityControlTest, StoresTheRequiredDensityInBatchesOfAnySize) {
+TEST_F(DensityControlTest, ByQuotaStoresTheRequiredDensityInBatchesOfAnySize) {
   const Scene scene = plane();
   constexpr double kRequired = 4000 * 2 * 2;
   for (const std::uint32_t batch : {1u << 12, 1u << 15, 1u << 18}) {
@@ -98,6 +124,9 @@ TEST_F(DensityControlTest, StoresNoMoreThanItsCapacity) {
   const PhotonMapCounts counts = rig.counts(rig.shoot(MapKind::global, DensityControl::density, 1, 5000));
   EXPECT_EQ(counts.stored, 5000u);
   EXPECT_EQ(counts.overflow, counts.hits - 5000 - counts.redistributed);
+  const PhotonMapCounts byCells = rig.counts(rig.shoot(MapKind::global, DensityControl::density, 0, 5000));
+  EXPECT_EQ(byCells.stored, 5000u);
+  EXPECT_GT(byCells.overflow, 0u);
 }
 
 /// A lit box: its walls see one another, so the global map is read.
@@ -113,8 +142,9 @@ Scene litRoom() {
 TEST_F(DensityControlTest, OfAnImmenseDensityGivesTheUncontrolledImageBitForBit) {
   const Scene room = litRoom();
   RenderJob job = planeJob(0, 1u << 13);
-  job.passes = 2;
-  job.constantDensity = 2e5;  // a hundred times what arrives: lookups still meet photons, quotas never fill
+  job.passes = 4;
+  job.constantDensity.reset();
+  job.globalDensity = 1e9;
   const RenderResult controlled = test::renderScene(room, job);
   job.control = DensityControl::off;
   const RenderResult uncontrolled = test::renderScene(room, job);

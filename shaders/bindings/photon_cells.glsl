@@ -1,0 +1,25 @@
+// The table of photon cells: open addressing, the key's two words claimed one after the other by compare and swap,
+// so a slot belongs to one cell whatever the order of threads; which slot it is may differ and shows nowhere.
+#ifndef IMPORTON_BINDINGS_PHOTON_CELLS_GLSL
+#define IMPORTON_BINDINGS_PHOTON_CELLS_GLSL
+#include "bindings/parameters.glsl"
+#include "lib/photon_cell.glsl"
+
+layout(scalar, binding = kBindingPhotonCells) buffer PhotonCellsBlock { PhotonCell photonCells[]; };
+
+/// Slot of the cell, taken for it if it is new. The table has more slots than there may be photons.
+uint findCell(CellKey key) {
+  const uint slots = uint(photonCells.length());
+  uint slot, low;
+  umulExtended(key.a, slots, slot, low);
+  for (;; slot = slot + 1u < slots ? slot + 1u : 0u) {
+    uint a = photonCells[slot].keyA;
+    if (a == kNone) a = atomicCompSwap(photonCells[slot].keyA, kNone, key.a);
+    if (a != kNone && a != key.a) continue;
+    uint b = photonCells[slot].keyB;
+    if (b == kNone) b = atomicCompSwap(photonCells[slot].keyB, kNone, key.b);
+    if (b == kNone || b == key.b) return slot;
+  }
+}
+
+#endif

@@ -1,0 +1,14 @@
+#version 460
+// Keeps the hits that are to be stored: of each empty cell the one of least rank.
+#extension GL_GOOGLE_include_directive : require
+#include "bindings/photon_cells.glsl"
+#include "bindings/selection.glsl"
+
+layout(scalar, binding = kBindingNeighbours) readonly buffer HomesBlock { uint homes[]; };
+
+void main() {
+  const uint i = invocationIndex();
+  if (i >= counters[kCounterSelected]) return;
+  const uint rank = records[selection[i]].kind >> kRecordRankShift;
+  keep[i] = uint(photonCells[homes[i]].photon == (kCellClaim | rank));
+}

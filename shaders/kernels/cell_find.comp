@@ -1,0 +1,31 @@
+#version 460
+// Required density at each hit of the map at work, and the cell that follows; in cells without a photon the hit of
+// least rank will be stored. Counts the hits near each importon, for the passes to come.
+#extension GL_GOOGLE_include_directive : require
+#include "bindings/importance.glsl"
+#include "bindings/photon_cells.glsl"
+#include "bindings/selection.glsl"
+
+layout(scalar, binding = kBindingNeighbours) writeonly buffer HomesBlock { uint homes[]; };
+layout(scalar, binding = kBindingImportonHitsOut) buffer HitsBlock { uint hitsOut[]; };
+layout(push_constant, scalar) uniform PushBlock { CellFindPush push; };
+
+void main() {
+  const uint i = invocationIndex();
+  if (i >= counters[kCounterSelected]) return;
+  const MapPoint point = recordPoints[selection[i]];
+  const uint kind = records[selection[i]].kind;
+  MapSettings map = params.causticMap;
+  if (push.isGlobal != 0u) map = params.globalMap;
+  const vec3 normal = mapPointNormal(point.packed);
+  const uint countedLevels = params.pass < kCountingPasses ? map.importonLevels : 0u;
+  const uint importon = importonAt(importonFrame(), countedLevels, point.position, normal);
+  if (importon != kNone) atomicAdd(hitsOut[importon], 1u);
+  const float density = requiredDensityAt(map, cellImportonAt(importonFrame(), map.importonLevels, point.position, normal));
+  const uint lightClass = (kind & kRecordGlossy) != 0u ? 1u + directionClass(mapPointDirection(point.packed)) : 0u;
+  const uint level = cellLevel(params.gridExtent, normal, density);
+  const uint slot = findCell(cellKey(point.position - params.gridOrigin, params.gridExtent, level, directionClass(normal), lightClass));
+  atomicMin(photonCells[slot].photon, kCellClaim | (kind >> kRecordRankShift));
+  homes[i] = slot;
+  selectedPoints[i] = point;
+}
