@@ -29,13 +29,13 @@ float importanceAt(MapSettings map, vec3 position, vec3 normal) {
 
 /// D_r in photons/m² at an importon [METHOD: D_r = M_r Γ], at least the floor, growing over passes; or the constant.
 float requiredDensityAt(MapSettings map, uint importon) {
-  if (map.constantDensity > 0.0) return map.constantDensity * params.densityScale;
   const float importance = importon == kNone ? 0.0 : importonImportance(importon);
-  return max(map.photonsPerPixel * importance, map.densityFloor) * params.densityScale;
+  float density = max(map.photonsPerPixel * importance, map.densityFloor);
+  if (map.constantDensity > 0.0) density = map.constantDensity;
+  return min(density * params.densityScale, map.densityLimit);
 }
 
 float requiredDensity(MapSettings map, vec3 position, vec3 normal) {
-  if (map.constantDensity > 0.0) return map.constantDensity * params.densityScale;
   return requiredDensityAt(map, importonAt(importonFrame(), map.importonLevels, position, normal));
 }
 
@@ -43,14 +43,14 @@ float requiredDensity(MapSettings map, vec3 position, vec3 normal) {
 /// scaled so that fewer photons do. An importon stands for its share of the surface, 1/(importons per m²). Half a
 /// hit is added to its count, for a place that has had none yet.
 float lookupDensity(MapSettings map, vec3 position, vec3 normal) {
-  if (map.constantDensity > 0.0) return map.constantDensity * params.densityScale;
+  if (map.constantDensity > 0.0) return requiredDensityAt(map, kNone);
   const uint importon = importonAt(importonFrame(), map.importonLevels, position, normal);
   const float required = requiredDensityAt(map, importon);
   if (params.pass == 0u || importon == kNone) return required;
   const float perArea = importonImportance(importon) / (map.importonFlux * float(kImportonsPerSite));
   const float hits = (float(texelFetch(importonHits, int(importon)).x) + 0.5) / float(min(params.pass + 1u, kCountingPasses));
   const float available = hits * perArea * (params.lookupPhotons / kFewestPhotons) * params.densityScale;
-  return clamp(available, map.densityFloor * params.densityScale, required);
+  return clamp(available, min(map.densityFloor * params.densityScale, required), required);
 }
 
 /// Radius of the lookup that holds M photons where the map has its required density, m.

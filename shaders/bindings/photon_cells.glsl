@@ -7,12 +7,14 @@
 
 layout(scalar, binding = kBindingPhotonCells) buffer PhotonCellsBlock { PhotonCell photonCells[]; };
 
-/// Slot of the cell, taken for it if it is new. The table has more slots than there may be photons.
+const uint kMostProbes = 512u;  // at a load of 0.8 no cell is so far from home
+
+/// Slot of the cell, taken for it if it is new; kNone: the table is full.
 uint findCell(CellKey key) {
   const uint slots = uint(photonCells.length());
   uint slot, low;
   umulExtended(key.a, slots, slot, low);
-  for (;; slot = slot + 1u < slots ? slot + 1u : 0u) {
+  for (uint probe = 0u; probe < kMostProbes; ++probe, slot = slot + 1u < slots ? slot + 1u : 0u) {
     uint a = photonCells[slot].keyA;
     if (a == kNone) a = atomicCompSwap(photonCells[slot].keyA, kNone, key.a);
     if (a != kNone && a != key.a) continue;
@@ -20,6 +22,7 @@ uint findCell(CellKey key) {
     if (b == kNone) b = atomicCompSwap(photonCells[slot].keyB, kNone, key.b);
     if (b == kNone || b == key.b) return slot;
   }
+  return kNone;
 }
 
 #endif

@@ -10,8 +10,8 @@ layout(scalar, binding = kBindingNeighbours) readonly buffer HomesBlock { uint h
 void main() {
   const uint i = invocationIndex();
   if (i >= counters[kCounterSelected] || keep[i] != 0u) return;
-  const uint photon = photonCells[homes[i]].photon;
-  if (photon >= kCellClaim) {  // its photon found no room
+  const uint slot = homes[i], photon = slot == kNone ? kNone : photonCells[slot].photon;
+  if (photon >= kCellClaim) {  // the cell or its photon found no room
     atomicAdd(counters[kCounterOverflow], 1u);
     return;
   }

@@ -10,5 +10,6 @@ void main() {
   const uint i = invocationIndex();
   if (i >= counters[kCounterSelected]) return;
   const uint rank = records[selection[i]].kind >> kRecordRankShift;
-  keep[i] = uint(photonCells[homes[i]].photon == (kCellClaim | rank));
+  const uint slot = homes[i];
+  keep[i] = slot == kNone ? 0u : uint(photonCells[slot].photon == (kCellClaim | rank));
 }

@@ -25,7 +25,7 @@ void main() {
   const uint lightClass = (kind & kRecordGlossy) != 0u ? 1u + directionClass(mapPointDirection(point.packed)) : 0u;
   const uint level = cellLevel(params.gridExtent, normal, density);
   const uint slot = findCell(cellKey(point.position - params.gridOrigin, params.gridExtent, level, directionClass(normal), lightClass));
-  atomicMin(photonCells[slot].photon, kCellClaim | (kind >> kRecordRankShift));
+  if (slot != kNone) atomicMin(photonCells[slot].photon, kCellClaim | (kind >> kRecordRankShift));
   homes[i] = slot;
   selectedPoints[i] = point;
 }

@@ -13,6 +13,7 @@ struct MapSettings {
   uint importonLevels;    // grid levels that importons are in, a bit each
   uint recordMask;        // kRecordCaustic or kRecordGlobal
   float importonFlux;     // pixels that each importon of the map started with
+  float densityLimit;     // photons/m²: most required density, for what memory holds
 };
 
 /// The same for every kernel of a pass. Lengths in m, render space.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace importon {
 namespace {
@@ -19,6 +20,7 @@ MapSettings mapSettings(const RenderJob& job, double photonsPerPixel, uint mask,
   map.constantDensity = static_cast<float>(job.constantDensity.value_or(0));
   map.densityFloor = static_cast<float>(kLookupPhotons / (M_PI * radius * radius));
   map.recordMask = mask;
+  map.densityLimit = std::numeric_limits<float>::max();
   return map;
 }
 

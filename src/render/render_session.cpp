@@ -5,6 +5,7 @@
 #include <future>
 
 #include "accel/bvh.h"
+#include "base/error.h"
 #include "fmt/format.h"
 #include "render/aov_image.h"
 #include "render/features.h"
@@ -34,7 +35,7 @@ Bvh buildSceneBvh(const Scene& scene, const RenderJob& job, Log& log, double& se
 }  // namespace
 
 RenderSession::RenderSession(const RenderJob& job, const Scene& scene, Log& log)
-    : job_(job), scene_(scene), log_(log) {
+    : job_(job), scene_(scene), log_(log), control_(job.control) {
   size_ = chooseSize(chooseCamera(scene, job), job);
   features_ = findFeatures(scene, job);
   // The device and its kernels come up while the tree is built.
@@ -94,12 +95,41 @@ void RenderSession::startPass(int pass) {
 void RenderSession::shootPhotons(int pass) {
   startPass(pass);
   if (!hasMaps()) return;
+  fillMaps();
+  while (isMapFull()) {
+    controlHarder();
+    startPass(pass);
+    fillMaps();
+  }
+}
+
+bool RenderSession::isMapFull() const {
+  return globalMap_->readCounts(*stage_, parameters_.fluxScale).overflow > 0 ||
+         (causticMap_ && causticMap_->readCounts(*stage_, parameters_.fluxScale).overflow > 0);
+}
+
+void RenderSession::controlHarder() {
+  double area = 0;  // m²
+  for (const Triangle& t : scene_.triangles)
+    area += 0.5 * glm::length(glm::cross(scene_.positions[t.v1] - scene_.positions[t.v0],
+                                         scene_.positions[t.v2] - scene_.positions[t.v0]));
+  const double first = 4 * static_cast<double>(plan_.mapCapacity) / area;
+  const float limit = std::min(0.5f * parameters_.globalMap.densityLimit, static_cast<float>(first));
+  if (limit * area < 1)
+    throw DeviceError("the photon maps", fmt::format("no room for {} photons", plan_.mapCapacity), "raise --memory");
+  parameters_.globalMap.densityLimit = parameters_.causticMap.densityLimit = limit;
+  control_ = DensityControl::density;
+  log_.warn("photon map full", "the photon maps need more than --memory allows: fewer photons are stored than "
+                               "required, each with more power");
+}
+
+void RenderSession::fillMaps() {
   globalMap_->begin(*stage_);
   if (causticMap_) causticMap_->begin(*stage_);
   for (std::uint32_t first = 0; first < plan_.photons; first += plan_.batch) {
     tracePhotons(*stage_, first, std::min(plan_.batch, plan_.photons - first), parameters_.maxDepth);
-    globalMap_->addBatch(*stage_, importance_.global, job_.control, plan_.receivers);
-    if (causticMap_) causticMap_->addBatch(*stage_, importance_.caustic, job_.control, plan_.receivers);
+    globalMap_->addBatch(*stage_, importance_.global, control_, plan_.receivers);
+    if (causticMap_) causticMap_->addBatch(*stage_, importance_.caustic, control_, plan_.receivers);
   }
   globalMap_->finish(*stage_, importance_.global);
   if (causticMap_) causticMap_->finish(*stage_, importance_.caustic);
@@ -130,10 +160,7 @@ void RenderSession::addCounts(PhotonMapStats& stats, const PhotonMapCounts& coun
   stats.redistributed += counts.redistributed;
   stats.fluxHits = counts.fluxHits;
   stats.fluxMap = counts.fluxMap;
-  if (counts.overflow > 0)
-    log_.warn("photon map full", fmt::format("{} photons found no room in the {} map: raise --memory or lower "
-                                             "--photons", counts.overflow, map));
-  else if (!counts.isEnergyExact)
+  if (!counts.isEnergyExact)
     throw std::logic_error(fmt::format("the {} map does not hold the power of its hits", map));
 }
 

@@ -41,6 +41,10 @@ class RenderSession {
   [[nodiscard]] FilmLayers readFilm(int passes) const;
   void loadDevice();
   void startPass(int pass);
+  void fillMaps();
+  [[nodiscard]] bool isMapFull() const;
+  /// Lowers the required density so that the maps fit in memory; warns.
+  void controlHarder();
   void submit(double& seconds);
   void addCounts(PhotonMapStats& stats, const PhotonMapCounts& counts, const char* map);
   [[nodiscard]] EyeMaps eyeMaps() const;
@@ -63,6 +67,7 @@ class RenderSession {
   std::optional<Film> film_;
   ImportanceMaps importance_;
   std::optional<PhotonMap> causticMap_, globalMap_;
+  DensityControl control_;
 };
 
 }  // namespace importon

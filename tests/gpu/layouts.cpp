@@ -32,7 +32,7 @@ std::vector<HostLayout> hostLayouts() {
       IMPORTON_LAYOUT(BvhTriangle, v0, triangle, v1, next, v2, kind),
       // shared/render_data.h
       IMPORTON_LAYOUT(MapSettings, photonsPerPixel, constantDensity, densityFloor, importonLevels,
-                      recordMask, importonFlux),
+                      recordMask, importonFlux, densityLimit),
       IMPORTON_LAYOUT(Parameters, cameraOrigin, cameraIsOrthographic, cameraForward, width, cameraRight,
                       height, cameraUp, seed, gridOrigin, gridExtent, sceneCentre, sceneRadius,
                       environmentRadiance, environmentLight, lightCount, totalPower, pass, maxDepth,

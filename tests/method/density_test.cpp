@@ -139,6 +139,20 @@ Scene litRoom() {
   return builder.finish();
 }
 
+TEST_F(DensityControlTest, KeepsAllPowerWhereMemoryIsShort) {
+  const Scene room = litRoom();
+  for (const DensityControl control : {DensityControl::density, DensityControl::off}) {
+    RenderJob job = planeJob(1e9, 1u << 14);
+    job.control = control;
+    job.memoryMiB = 1;
+    const RenderResult result = test::renderScene(room, job);
+    EXPECT_GT(result.stats.global.hits, 20'000u);
+    EXPECT_LT(result.stats.global.stored, 6'000u);
+    EXPECT_GT(result.stats.global.stored, 500u);
+    EXPECT_EQ(result.stats.global.fluxHits, result.stats.global.fluxMap);
+  }
+}
+
 TEST_F(DensityControlTest, OfAnImmenseDensityGivesTheUncontrolledImageBitForBit) {
   const Scene room = litRoom();
   RenderJob job = planeJob(0, 1u << 13);
