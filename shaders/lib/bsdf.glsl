@@ -1,25 +1,43 @@
-// The glTF 2.0 metallic-roughness BSDF with transmission, in the local frame of the shading normal (z), the ray's
-// side up. Lobes: diffuse; reflection and transmission, each GGX or, when smooth, a delta. [glTF 2.0, appendix B]
+// The glTF 2.0 metallic-roughness BSDF with transmission and clear coat, in the local frame of the shading normal
+// (z), the ray's side up. A material is a mixture of three: metal, a diffuse base under a dielectric interface, and a
+// clear dielectric. Lobes: cosine (diffuse light, and light scattered more than once between microfacets), on either
+// side; reflection and transmission, each GGX or, when smooth, a delta; the coat. [glTF 2.0, appendix B]
 #ifndef IMPORTON_LIB_BSDF_GLSL
 #define IMPORTON_LIB_BSDF_GLSL
+#include "lib/albedo.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/ggx.glsl"
 #include "lib/surface.glsl"
 
 const float kSmoothAlpha = 1e-3;  // below: reflection and transmission are deltas
+const float kNoRefraction = 1e-3;  // relative index of a solid so near to 1 bends no light
 
 struct Bsdf {
-  vec3 diffuse;       // albedo
-  vec3 f0;
+  vec3 diffuse;       // albedo of the base times its share
+  float coverF0;      // interface over the base
+  float coverF90;
+  float coverPassed;  // share of light along wo that passes it, over the mean of all directions
+  vec3 f0;            // of metal and interface, times their shares
   float f90;
   float alpha;
   bool isSmooth;
-  float metallic;
-  float transmission; // share of the dielectric's base that transmits
+  float clear;        // share of the clear dielectric
   vec3 tint;          // of transmitted light
   float eta;          // refractive index behind over index in front, seen from the ray's side
   bool isThin;        // transmission goes straight on
-  float pDiffuse, pReflect, pTransmit;  // of choosing a lobe; sum 1, or all 0 for a black surface
+  vec3 missed;        // of light that the microfacets scatter more than once, the share that metal and interface return
+  float missOut;      // share of light along wo that is scattered more than once, over the mean of all directions
+  vec2 clearMissMean; // the clear dielectric: mean of that share on the ray's side and behind
+  float clearMissOut;
+  float clearMissBack; // of it, the share that leaves on the ray's side
+  float coat;         // share that is coated
+  float coatAlpha;
+  bool isCoatSmooth;
+  bool isBehindCoat;  // the ray's side is the inner one of a coated solid
+  float coatMissed;
+  float coatMissOut;
+  float coatTurnedOut;  // share of light along wo that the coat turns back
+  float pCosine, pInterface, pBelow, pCoat;  // of choosing a lobe; sum 1, or all 0 for a black surface
 };
 
 struct BsdfSample {
@@ -30,71 +48,203 @@ struct BsdfSample {
   bool isTransmission;
 };
 
+/// Mean of Schlick's reflectance over the cosine.
+vec3 meanSchlick(vec3 f0, float f90) { return f0 + (vec3(f90) - f0) * (1.0 / 21.0); }
+
+/// Share of multiply scattered light that comes back: a series of reflections of which each lets `meanAlbedo` out.
+/// [Kulla and Conty 2017]
+vec3 multipleReflectance(vec3 meanFresnel, float meanAlbedo) {
+  return meanFresnel * meanFresnel * meanAlbedo / max(vec3(1.0) - meanFresnel * (1.0 - meanAlbedo), vec3(1e-6));
+}
+
+/// Reflectance of the clear dielectric.
+float clearFresnel(Bsdf b, float cosine) {
+  const float single = fresnelDielectric(cosine, b.eta);
+  return b.isThin ? 2.0 * single / (1.0 + single) : single;  // thin: all inner reflections
+}
+
 /// Reflectance of the whole interface at the cosine between a direction and the (micro)normal.
 vec3 bsdfFresnel(Bsdf b, float cosine) {
-  const vec3 opaque = fresnelSchlick(b.f0, b.f90, cosine);
-  if (!kHasTransmission || b.transmission <= 0.0) return opaque;
-  const float single = fresnelDielectric(cosine, b.eta);
-  const float clear = b.isThin ? 2.0 * single / (1.0 + single) : single;  // thin: all inner reflections
-  return mix(opaque, vec3(clear), b.transmission * (1.0 - b.metallic));
+  vec3 f = fresnelSchlick(b.f0, b.f90, cosine);
+  if (kHasTransmission && b.clear > 0.0) f += b.clear * clearFresnel(b, cosine);
+  return f;
+}
+
+/// Probability with which the interface reflects, rather than transmits, where light meets its (micro)normal at this
+/// cosine.
+float reflectShare(Bsdf b, float cosine) {
+  if (!kHasTransmission || b.clear <= 0.0) return 1.0;
+  const float clear = clearFresnel(b, cosine);
+  const float reflected = mean(fresnelSchlick(b.f0, b.f90, cosine)) + b.clear * clear;
+  const float passed = b.clear * (1.0 - clear) * mean(b.tint);
+  return reflected + passed > 0.0 ? reflected / (reflected + passed) : 1.0;
+}
+
+/// Share of light that a GGX layer of Schlick's reflectance turns back along a direction.
+float layerReflectance(float f0, float f90, float missed, vec2 albedo) {
+  return f0 * (albedo.x - albedo.y) + f90 * albedo.y + missed * (1.0 - albedo.x);
+}
+
+float coverReflectance(Bsdf b, float cosine, vec2 albedo) {
+  if (b.isSmooth) return fresnelSchlick(vec3(b.coverF0), b.coverF90, cosine).x;
+  const float missed = multipleReflectance(meanSchlick(vec3(b.coverF0), b.coverF90), ggxMeanAlbedo(b.alpha).x).x;
+  return layerReflectance(b.coverF0, b.coverF90, missed, albedo);
+}
+
+const float kCoatF0 = 0.04;  // KHR_materials_clearcoat
+
+float coatReflectance(Bsdf b, float cosine) {
+  if (b.isCoatSmooth) return b.coat * fresnelSchlick(vec3(kCoatF0), 1.0, cosine).x;
+  return b.coat * layerReflectance(kCoatF0, 1.0, b.coatMissed, ggxAlbedo(cosine, b.coatAlpha));
+}
+
+void addCoat(inout Bsdf b, Surface s, float cosOut) {
+  b.coat = s.coat;
+  b.coatAlpha = s.coatAlpha;
+  b.isCoatSmooth = s.coatAlpha < kSmoothAlpha;
+  b.isBehindCoat = !b.isThin && !s.isFront;
+  const vec2 mean_ = ggxMeanAlbedo(s.coatAlpha);
+  b.coatMissed = multipleReflectance(meanSchlick(vec3(kCoatF0), 1.0), mean_.x).x;
+  b.coatMissOut = (1.0 - ggxAlbedo(cosOut, s.coatAlpha).x) / max(1.0 - mean_.x, 1e-6);
+  b.coatTurnedOut = b.isBehindCoat ? 0.0 : coatReflectance(b, cosOut);
+}
+
+/// Light that the microfacets scatter more than once, for rough surfaces. What is missed along wo leaves by the cosine
+/// lobes, weighted by what is missed along wi: reciprocal, and nothing is lost. [Kulla and Conty 2017]
+void addMissed(inout Bsdf b, vec3 metalF0, float metal, vec3 dielectricF0, float dielectric, vec2 albedoOut, float cosOut) {
+  const vec2 mean_ = ggxMeanAlbedo(b.alpha);
+  b.missOut = (1.0 - albedoOut.x) / max(1.0 - mean_.x, 1e-6);
+  b.missed = metal * multipleReflectance(meanSchlick(metalF0, 1.0), mean_.x) +
+             dielectric * multipleReflectance(meanSchlick(dielectricF0, b.coverF90), mean_.x);
+  if (!kHasTransmission || b.clear <= 0.0) return;
+  if (b.isThin) {
+    const float single = (b.eta - 1.0) / (4.08567 + 1.00071 * b.eta);  // mean Fresnel reflectance [ibid.]
+    b.clearMissMean = vec2(1.0 - mean_.x);
+    b.clearMissOut = 1.0 - albedoOut.x;
+    b.clearMissBack = 2.0 * single / (1.0 + single);
+  } else {
+    // Shares in the ratio that makes the two sides reciprocal.
+    b.clearMissMean = vec2(1.0) - glassMeanAlbedo(b.alpha, b.eta);
+    b.clearMissOut = 1.0 - glassAlbedo(cosOut, b.alpha, b.eta);
+    const float behind = b.eta * b.eta * b.clearMissMean.y;
+    b.clearMissBack = b.clearMissMean.x / max(b.clearMissMean.x + behind, 1e-9);
+  }
+}
+
+/// Probabilities of the lobes, by the light that each scatters.
+void chooseLobes(inout Bsdf b, float cosOut, vec2 albedoOut) {
+  b.pInterface = mean(bsdfFresnel(b, cosOut));
+  b.pCosine = mean(b.diffuse) * max(b.coverPassed, 0.0);
+  if (!b.isSmooth) {
+    b.pInterface *= albedoOut.x;
+    b.pCosine += mean(b.missed) * (1.0 - albedoOut.x);
+  }
+  if (kHasTransmission && b.clear > 0.0) {
+    const float passed = b.clear * mean(b.tint);
+    b.pInterface += passed * (1.0 - clearFresnel(b, cosOut));
+    if (!b.isSmooth) {
+      b.pCosine += b.clear * b.clearMissOut * b.clearMissBack;
+      b.pBelow = passed * b.clearMissOut * (1.0 - b.clearMissBack);
+    }
+  }
+  if (kHasClearcoat) {
+    const float passed = 1.0 - b.coatTurnedOut;
+    b.pCosine *= passed;
+    b.pInterface *= passed;
+    b.pBelow *= passed;
+    b.pCoat = b.coatTurnedOut;
+  }
+  const float sum = b.pCosine + b.pInterface + b.pBelow + b.pCoat;
+  const float scale = sum > 0.0 ? 1.0 / sum : 0.0;
+  b.pCosine *= scale;
+  b.pInterface *= scale;
+  b.pBelow *= scale;
+  b.pCoat *= scale;
 }
 
 Bsdf makeBsdf(Surface s, float cosOut) {
   Bsdf b;
-  b.diffuse = s.baseColor * ((1.0 - s.metallic) * (1.0 - (kHasTransmission ? s.transmission : 0.0)));
-  b.pReflect = 0.0;
-  b.pTransmit = 0.0;
-  b.transmission = 0.0;
+  const float metal = kHasReflection ? s.metallic : 0.0;
+  b.clear = kHasTransmission ? (1.0 - metal) * s.transmission : 0.0;
+  const float opaque = 1.0 - metal - b.clear;
+  b.diffuse = s.baseColor * opaque;
   b.isSmooth = true;
-  if (kHasReflection) {
-    b.f0 = s.f0;
-    b.f90 = s.f90;
-    b.alpha = s.alpha;
-    b.isSmooth = s.alpha < kSmoothAlpha;
-    b.metallic = s.metallic;
-    b.transmission = kHasTransmission ? s.transmission : 0.0;
-    b.tint = s.baseColor;
-    b.isThin = (s.flags & kMaterialSolid) == 0u;
-    b.eta = s.isFront || b.isThin ? s.ior : 1.0 / s.ior;
-    b.pReflect = mean(bsdfFresnel(b, cosOut));
-    if (kHasTransmission) b.pTransmit = (1.0 - b.pReflect) * b.transmission * (1.0 - s.metallic) * mean(b.tint);
+  b.coat = 0.0;
+  b.pInterface = b.pBelow = b.pCoat = 0.0;
+  b.pCosine = mean(b.diffuse) > 0.0 ? 1.0 : 0.0;
+  if (!kHasReflection) return b;
+  b.coverF0 = min(maxComponent(s.f0), 1.0);
+  b.coverF90 = s.f90;
+  b.f0 = metal * s.baseColor + opaque * s.f0;
+  b.f90 = metal + opaque * s.f90;
+  b.tint = s.baseColor;
+  b.isThin = (s.flags & kMaterialSolid) == 0u;
+  b.eta = s.isFront || b.isThin ? s.ior : 1.0 / s.ior;
+  b.alpha = s.alpha;
+  b.isSmooth = s.alpha < kSmoothAlpha || (b.clear > 0.0 && !b.isThin && abs(b.eta - 1.0) < kNoRefraction);
+  b.missed = vec3(0.0);
+  b.missOut = b.clearMissOut = b.clearMissBack = 0.0;
+  vec2 albedoOut = vec2(0.0);
+  float coverMean = meanSchlick(vec3(b.coverF0), b.coverF90).x;
+  if (!b.isSmooth) {
+    albedoOut = ggxAlbedo(cosOut, b.alpha);
+    addMissed(b, s.baseColor, metal, s.f0, opaque, albedoOut, cosOut);
+    const vec2 albedo = ggxMeanAlbedo(b.alpha);
+    coverMean = layerReflectance(b.coverF0, b.coverF90, multipleReflectance(vec3(coverMean), albedo.x).x, albedo);
   }
-  b.pDiffuse = mean(b.diffuse) * (1.0 - min(b.pReflect, 1.0));
-  const float sum = b.pDiffuse + b.pReflect + b.pTransmit;
-  const float scale = sum > 0.0 ? 1.0 / sum : 0.0;
-  b.pDiffuse *= scale;
-  b.pReflect *= scale;
-  b.pTransmit *= scale;
+  b.coverPassed = (1.0 - coverReflectance(b, cosOut, albedoOut)) / max(1.0 - coverMean, 1e-3);
+  if (kHasClearcoat && s.coat > 0.0) addCoat(b, s, cosOut);
+  else b.coatTurnedOut = 0.0;
+  chooseLobes(b, cosOut, albedoOut);
   return b;
 }
 
-/// Probability that a sampled lobe is a delta.
-float deltaProbability(Bsdf b) { return b.isSmooth ? b.pReflect + b.pTransmit : 0.0; }
-bool hasSmoothLobe(Bsdf b) { return b.isSmooth && b.pReflect + b.pTransmit > 0.0; }
+bool hasSmoothLobe(Bsdf b) { return (b.isSmooth && b.pInterface > 0.0) || (b.isCoatSmooth && b.pCoat > 0.0); }
 /// True for a surface that transmits and is rough. Light comes to it from both sides, which a map of photons on one
 /// side cannot show, so for the maps it is specular: photons pass it as they pass clear glass.
-bool isFrosted(Bsdf b) { return kHasTransmission && !b.isSmooth && b.transmission * (1.0 - b.metallic) > 0.0; }
+bool isFrosted(Bsdf b) { return kHasTransmission && !b.isSmooth && b.clear > 0.0; }
 /// True where the direction of light matters beyond its cosine.
-bool isGlossy(Bsdf b) { return kHasReflection && !b.isSmooth && (b.alpha < 0.3 || maxComponent(b.f0) > 0.2); }
-bool hasRoughLobe(Bsdf b) { return b.pDiffuse > 0.0 || (!b.isSmooth && b.pReflect + b.pTransmit > 0.0); }
+bool isGlossy(Bsdf b) {
+  const bool isCoatGlossy = kHasClearcoat && b.pCoat > 0.0 && !b.isCoatSmooth && b.coatAlpha < 0.3;
+  return isCoatGlossy || (kHasReflection && !b.isSmooth && (b.alpha < 0.3 || maxComponent(b.f0) > 0.2));
+}
+bool hasRoughLobe(Bsdf b) {
+  if (b.pCosine > 0.0 || (!b.isSmooth && b.pInterface > 0.0)) return true;
+  return kHasClearcoat && b.pCoat > 0.0 && !b.isCoatSmooth;
+}
 
-/// Diffuse part times cosine: Lambert under the dielectric's interface. Light passes it on the way in and on the way
-/// out; what it turns back below stays until it leaves. So a white base loses nothing, which a cover by the Fresnel
-/// term of the half vector would not hold: it gains up to 80 % at grazing angles. [Kelemen and Szirmay-Kalos 2001]
-vec3 evalDiffuse(Bsdf b, vec3 wo, vec3 wi) {
+/// Cosine lobe on the ray's side, times cosine: the base, and light scattered more than once. The base is Lambertian
+/// under the interface, which light passes on the way in and on the way out; what the interface turns back below
+/// stays until it leaves. So a white base loses nothing, and gains nothing. [Kelemen and Szirmay-Kalos 2001]
+vec3 evalCosine(Bsdf b, vec3 wi) {
   if (!kHasReflection) return b.diffuse * (wi.z / kPi);
-  const float f0 = min(maxComponent(b.f0), 1.0);
-  const float passed = 1.0 - (f0 + (b.f90 - f0) / 21.0);  // mean of 1 - F over the cosine
-  const float in_ = 1.0 - fresnelSchlick(vec3(f0), b.f90, wi.z).x, out_ = 1.0 - fresnelSchlick(vec3(f0), b.f90, wo.z).x;
-  return b.diffuse * (in_ * out_ / max(passed, 1e-3) * wi.z / kPi);
+  vec2 albedo = vec2(0.0);
+  if (!b.isSmooth) albedo = ggxAlbedo(wi.z, b.alpha);
+  vec3 f = b.diffuse * (b.coverPassed * (1.0 - coverReflectance(b, wi.z, albedo)));
+  if (!b.isSmooth) {
+    f += b.missed * (b.missOut * (1.0 - albedo.x));
+    if (kHasTransmission && b.clear > 0.0) {
+      const float missed = b.isThin ? 1.0 - albedo.x : 1.0 - glassAlbedo(wi.z, b.alpha, b.eta);
+      f += vec3(b.clear * b.clearMissBack * b.clearMissOut * missed / max(b.clearMissMean.x, 1e-6));
+    }
+  }
+  return f * (wi.z / kPi);
+}
+
+/// Cosine lobe on the other side, times cosine: light that a rough clear dielectric scatters more than once.
+vec3 evalBelow(Bsdf b, vec3 wi) {
+  const float missed = b.isThin ? 1.0 - ggxAlbedo(-wi.z, b.alpha).x : 1.0 - glassAlbedo(-wi.z, b.alpha, 1.0 / b.eta);
+  return b.tint * (b.clear * (1.0 - b.clearMissBack) * b.clearMissOut * missed / max(b.clearMissMean.y, 1e-6) *
+                   (-wi.z / kPi));
 }
 
 /// Microfacet reflection times cosine. [Walter et al. 2007, eq. 20]
 vec3 evalReflection(Bsdf b, vec3 wo, vec3 wi, out float pdf) {
   const vec3 h = normalize(wo + wi);
   const float d = ggxDistribution(h, b.alpha);
-  pdf = ggxMasking(wo, b.alpha) * d / (4.0 * wo.z);
-  return bsdfFresnel(b, max(dot(wo, h), 0.0)) * (d * ggxMaskingShadowing(wo, wi, b.alpha) / (4.0 * wo.z));
+  const float cosH = max(dot(wo, h), 0.0);
+  pdf = ggxMasking(wo, b.alpha) * d * reflectShare(b, cosH) / (4.0 * wo.z);
+  return bsdfFresnel(b, cosH) * (d * ggxMaskingShadowing(wo, wi, b.alpha) / (4.0 * wo.z));
 }
 
 /// Microfacet transmission times cosine, without the scaling of radiance by the squared relative index.
@@ -105,10 +255,10 @@ vec3 evalTransmission(Bsdf b, vec3 wo, vec3 wi, out float pdf) {
     const vec3 mirrored = vec3(wi.xy, -wi.z);
     const vec3 h = normalize(wo + mirrored);
     const float d = ggxDistribution(h, b.alpha);
-    pdf = ggxMasking(wo, b.alpha) * d / (4.0 * wo.z);
-    const float passed = b.transmission * (1.0 - b.metallic);
-    return b.tint * (vec3(passed) * (1.0 - mean(bsdfFresnel(b, max(dot(wo, h), 0.0)))) *
-                     (d * ggxMaskingShadowing(wo, mirrored, b.alpha) / (4.0 * wo.z)));
+    const float cosH = max(dot(wo, h), 0.0);
+    pdf = ggxMasking(wo, b.alpha) * d * (1.0 - reflectShare(b, cosH)) / (4.0 * wo.z);
+    const float passed = b.clear * (1.0 - clearFresnel(b, cosH));
+    return b.tint * (passed * d * ggxMaskingShadowing(wo, mirrored, b.alpha) / (4.0 * wo.z));
   }
   vec3 h = normalize(-(wo + b.eta * wi));
   if (h.z < 0.0) h = -h;
@@ -117,9 +267,29 @@ vec3 evalTransmission(Bsdf b, vec3 wo, vec3 wi, out float pdf) {
   const float root = cosOut + b.eta * cosIn;
   const float jacobian = b.eta * b.eta * abs(cosIn) / max(root * root, 1e-30);
   const float d = ggxDistribution(h, b.alpha);
-  pdf = pdfVisibleNormal(wo, h, b.alpha) * jacobian;
-  const float passed = b.transmission * (1.0 - b.metallic) * (1.0 - fresnelDielectric(cosOut, b.eta));
+  pdf = pdfVisibleNormal(wo, h, b.alpha) * jacobian * (1.0 - reflectShare(b, cosOut));
+  const float passed = b.clear * (1.0 - fresnelDielectric(cosOut, b.eta));
   return b.tint * (passed * d * ggxMaskingShadowing(wo, vec3(wi.xy, -wi.z), b.alpha) * cosOut * jacobian / wo.z);
+}
+
+/// Reflection of a rough coat, times cosine: once, and more than once.
+vec3 evalCoat(Bsdf b, vec3 wo, vec3 wi, out float pdf) {
+  const vec3 h = normalize(wo + wi);
+  const float d = ggxDistribution(h, b.coatAlpha);
+  pdf = ggxMasking(wo, b.coatAlpha) * d / (4.0 * wo.z);
+  const float single = fresnelSchlick(vec3(kCoatF0), 1.0, max(dot(wo, h), 0.0)).x *
+                       (d * ggxMaskingShadowing(wo, wi, b.coatAlpha) / (4.0 * wo.z));
+  const float multiple = b.coatMissed * b.coatMissOut * (1.0 - ggxAlbedo(wi.z, b.coatAlpha).x) * (wi.z / kPi);
+  return vec3(b.coat * (single + multiple));
+}
+
+/// Share of light between wo and wi that passes the coat, in either direction: what the coat turns back on the way in
+/// or out, whichever is more, so that the layers together are reciprocal and never gain energy.
+float coatPassed(Bsdf b, vec3 wi) {
+  if (!kHasClearcoat || b.coat <= 0.0) return 1.0;
+  if (b.isBehindCoat) return wi.z < 0.0 ? 1.0 - coatReflectance(b, -wi.z) : 1.0;
+  if (wi.z < 0.0 && !b.isThin) return 1.0 - b.coatTurnedOut;
+  return 1.0 - max(b.coatTurnedOut, coatReflectance(b, abs(wi.z)));
 }
 
 /// BSDF times |cosine| of all non-delta lobes, and the density with which sampleBsdf draws wi among them all.
@@ -127,20 +297,26 @@ vec3 evalBsdf(Bsdf b, vec3 wo, vec3 wi, out float pdf) {
   vec3 f = vec3(0.0);
   pdf = 0.0;
   if (wo.z <= 0.0) return f;
+  float lobePdf;
   if (wi.z > 0.0) {
-    if (b.pDiffuse > 0.0) {
-      f = evalDiffuse(b, wo, wi);
-      pdf = b.pDiffuse * wi.z / kPi;
+    if (b.pCosine > 0.0) {
+      f = evalCosine(b, wi);
+      pdf = b.pCosine * wi.z / kPi;
     }
     if (kHasReflection && !b.isSmooth) {
-      float lobePdf;
       f += evalReflection(b, wo, wi, lobePdf);
-      pdf += b.pReflect * lobePdf;
+      pdf += b.pInterface * lobePdf;
     }
-  } else if (kHasTransmission && !b.isSmooth && b.pTransmit > 0.0 && wi.z < 0.0) {
-    float lobePdf;
-    f = evalTransmission(b, wo, wi, lobePdf);
-    pdf = b.pTransmit * lobePdf;
+  } else if (kHasTransmission && !b.isSmooth && b.clear > 0.0 && wi.z < 0.0) {
+    f = evalTransmission(b, wo, wi, lobePdf) + evalBelow(b, wi);
+    pdf = b.pInterface * lobePdf - b.pBelow * wi.z / kPi;
+  }
+  if (kHasClearcoat && b.coat > 0.0) {
+    f *= coatPassed(b, wi);
+    if (wi.z > 0.0 && !b.isCoatSmooth && b.pCoat > 0.0) {
+      f += evalCoat(b, wo, wi, lobePdf);
+      pdf += b.pCoat * lobePdf;
+    }
   }
   return f;
 }
@@ -155,6 +331,31 @@ bool refractLocal(vec3 wo, vec3 h, float eta, out vec3 wi) {
   return true;
 }
 
+/// Weight of a delta lobe, chosen with `probability`.
+vec3 deltaWeight(Bsdf b, vec3 wo, vec3 wi, bool isCoat, float probability) {
+  if (kHasClearcoat && isCoat) return vec3(b.coatTurnedOut / probability);
+  const vec3 f = wi.z > 0.0 ? bsdfFresnel(b, wo.z) : b.tint * (b.clear * (1.0 - clearFresnel(b, wo.z)));
+  return f * (coatPassed(b, wi) / max(probability, 1e-30));
+}
+
+/// Draws a direction from the interface, or the coat, whichever `uLobe` falls on. The microfacet is drawn first, then
+/// whether it reflects. False: nowhere.
+bool sampleInterface(Bsdf b, vec3 wo, float uLobe, vec2 u, inout BsdfSample s) {
+  const bool isCoat = kHasClearcoat && b.pCoat > 0.0 && uLobe >= b.pCosine + b.pInterface;
+  s.isDelta = isCoat ? b.isCoatSmooth : b.isSmooth;
+  const vec3 h = s.isDelta ? vec3(0.0, 0.0, 1.0) : sampleVisibleNormal(wo, isCoat ? b.coatAlpha : b.alpha, u);
+  const float cosH = dot(wo, h), share = isCoat ? 1.0 : reflectShare(b, cosH);
+  s.isTransmission = kHasTransmission && uLobe - b.pCosine >= share * b.pInterface && share < 1.0;
+  s.wi = 2.0 * cosH * h - wo;
+  if (s.isTransmission) {
+    if (b.isThin) s.wi.z = -s.wi.z;
+    else if (!refractLocal(wo, h, b.eta, s.wi)) return false;
+  }
+  if (s.isDelta)
+    s.weight = deltaWeight(b, wo, s.wi, isCoat, isCoat ? b.pCoat : b.pInterface * (s.isTransmission ? 1.0 - share : share));
+  return s.isTransmission ? s.wi.z < 0.0 : s.wi.z > 0.0;
+}
+
 /// Draws a direction: uLobe chooses the lobe, u the direction. A zero weight ends the path.
 BsdfSample sampleBsdf(Bsdf b, vec3 wo, float uLobe, vec2 u) {
   BsdfSample s;
@@ -163,26 +364,14 @@ BsdfSample sampleBsdf(Bsdf b, vec3 wo, float uLobe, vec2 u) {
   s.pdf = 0.0;
   s.isDelta = false;
   s.isTransmission = false;
-  if (wo.z <= 0.0 || b.pDiffuse + b.pReflect + b.pTransmit <= 0.0) return s;
-  if (!kHasReflection || uLobe < b.pDiffuse) {
+  if (wo.z <= 0.0 || b.pCosine + b.pInterface + b.pBelow + b.pCoat <= 0.0) return s;
+  const bool isBelow = kHasTransmission && b.pBelow > 0.0 && uLobe >= 1.0 - b.pBelow;
+  if (!kHasReflection || uLobe < b.pCosine || isBelow) {
     s.wi = sampleCosineHemisphere(u);
-  } else {
-    const bool transmits = kHasTransmission && uLobe >= b.pDiffuse + b.pReflect;
-    s.isTransmission = transmits;
-    const vec3 h = b.isSmooth ? vec3(0.0, 0.0, 1.0) : sampleVisibleNormal(wo, b.alpha, u);
-    s.wi = 2.0 * dot(wo, h) * h - wo;
-    if (transmits) {
-      if (b.isThin) s.wi.z = -s.wi.z;
-      else if (!refractLocal(wo, h, b.eta, s.wi)) return s;
-    }
-    if (b.isSmooth) {
-      const vec3 fresnel = bsdfFresnel(b, wo.z);
-      s.isDelta = true;
-      if (!transmits) s.weight = fresnel / b.pReflect;
-      else s.weight = b.tint * (b.transmission * (1.0 - b.metallic) * (1.0 - mean(fresnel)) / b.pTransmit);
-      return s;
-    }
-    if (transmits ? s.wi.z >= 0.0 : s.wi.z <= 0.0) return s;
+    if (isBelow) s.wi.z = -s.wi.z;
+    s.isTransmission = isBelow;
+  } else if (!sampleInterface(b, wo, uLobe, u, s) || s.isDelta) {
+    return s;
   }
   const vec3 f = evalBsdf(b, wo, s.wi, s.pdf);
   s.weight = s.pdf > 0.0 ? f / s.pdf : vec3(0.0);

@@ -9,6 +9,7 @@ layout(constant_id = kSpecHasVertexColors) const bool kHasVertexColors = true;
 layout(constant_id = kSpecHasReflection) const bool kHasReflection = true;
 layout(constant_id = kSpecHasTransmission) const bool kHasTransmission = true;
 layout(constant_id = kSpecHasMedia) const bool kHasMedia = true;
+layout(constant_id = kSpecHasClearcoat) const bool kHasClearcoat = true;
 layout(constant_id = kSpecHasTriangleLights) const bool kHasTriangleLights = true;
 layout(constant_id = kSpecHasPunctualLights) const bool kHasPunctualLights = true;
 layout(constant_id = kSpecHasEnvironment) const bool kHasEnvironment = true;

@@ -23,8 +23,10 @@ struct Surface {
   float alpha;           // GGX roughness: glTF roughness squared
   float transmission;
   float ior;
-  vec3 f0;               // reflectance at normal incidence
-  float f90;
+  vec3 f0;               // reflectance of the dielectric interface at normal incidence
+  float f90;             // and at grazing incidence
+  float coat;            // KHR_materials_clearcoat
+  float coatAlpha;
   vec3 emission;         // W/(m² sr)
   vec3 absorption;       // 1/m, of the solid behind the surface
 };
@@ -121,6 +123,8 @@ Surface loadSurface(uint triangle, vec2 uvWeights, vec3 direction) {
   s.ior = m4.x;
   float specular = m4.y;
   vec3 specularColor = m2.rgb;
+  s.coat = uintBitsToFloat(m5.x);
+  float coatRoughness = uintBitsToFloat(m5.y);
   if (kHasTextures || kHasVertexColors) {
     const uvec4 m6 = materialTexel(base + 6u), m7 = materialTexel(base + 7u);
     vec2 uv0, uv1;
@@ -137,16 +141,21 @@ Surface loadSurface(uint triangle, vec2 uvWeights, vec3 direction) {
       s.transmission *= texturedOr1(m6.w, uv0, uv1).r;
       specular *= texturedOr1(m7.x, uv0, uv1).a;
       specularColor *= texturedOr1(m7.y, uv0, uv1).rgb;
+      if (kHasClearcoat) {
+        s.coat *= texturedOr1(m7.z, uv0, uv1).r;
+        coatRoughness *= texturedOr1(m7.w, uv0, uv1).g;
+      }
     }
     if (kHasNormalMaps) normal = mappedNormal(m6.y, m4.z, normal, tangent, uv0, uv1);
   }
   s.alpha = roughness * roughness;
+  s.coatAlpha = coatRoughness * coatRoughness;
   s.shadingNormal = keepOnRaySide(s.isFront ? normal : -normal, s.geometricNormal, direction);
   s.canEmit = (s.flags & kMaterialEmissive) != 0u && (s.isFront || (s.flags & kMaterialDoubleSided) != 0u);
   const float r = (s.ior - 1.0) / (s.ior + 1.0);
   const vec3 dielectricF0 = min(r * r * specularColor, vec3(1.0)) * specular;
-  s.f0 = mix(dielectricF0, s.baseColor, s.metallic);
-  s.f90 = mix(specular, 1.0, s.metallic);
+  s.f0 = dielectricF0;
+  s.f90 = specular;
   return s;
 }
 

@@ -10,6 +10,7 @@ SHARED_BEGIN
 // a storage buffer at divergent addresses and which is not subject to its limit of 128 MiB.
 SHARED_CONST uint kBindingBvhNodes = 0;        // texel uint4, three per BvhRecord
 SHARED_CONST uint kBindingVertices = 2;        // texel uint4, three per vertex: DeviceVertex
+SHARED_CONST uint kBindingAlbedo = 4;          // texel uint1: shared/albedo_table.h
 SHARED_CONST uint kBindingTriangles = 3;       // texel uint4, one per Triangle
 SHARED_CONST uint kBindingMaterials = 5;       // texel uint4, eight per Material
 SHARED_CONST uint kBindingTextures = 6;        // texel uint4, four per DeviceTexture

@@ -16,6 +16,7 @@ SHARED_CONST uint kSpecHasVertexColors = 5u;
 SHARED_CONST uint kSpecHasReflection = 6u;     // any Fresnel or metallic reflection
 SHARED_CONST uint kSpecHasTransmission = 7u;
 SHARED_CONST uint kSpecHasMedia = 8u;          // absorbing solids
+SHARED_CONST uint kSpecHasClearcoat = 15u;
 SHARED_CONST uint kSpecHasTriangleLights = 9u;
 SHARED_CONST uint kSpecHasPunctualLights = 10u;
 SHARED_CONST uint kSpecHasEnvironment = 11u;

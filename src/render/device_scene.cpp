@@ -4,6 +4,7 @@
 #include <cstring>
 #include <numeric>
 
+#include "render/albedo_table.h"
 #include "shared/bindings.h"
 
 namespace importon {
@@ -114,12 +115,14 @@ DeviceScene uploadScene(gpu::Context& context, const Scene& scene, const Bvh& bv
   d.lights = buffer(context, "lights", packLights(scene), TexelFormat::uint4);
   d.lightAlias = buffer(context, "light alias table", makeAliasTable(powers));
   d.lightOfTriangle = buffer(context, "light of triangle", scene.lightOfTriangle, TexelFormat::uint1);
+  d.albedo = gpu::makeBuffer(context, "directional albedo", albedoTable(), TexelFormat::uint1);
   return d;
 }
 
 void DeviceScene::bind(gpu::BindingTable& table) const {
   table.set(kBindingBvhNodes, bvh);
   table.set(kBindingVertices, vertices);
+  table.set(kBindingAlbedo, albedo);
   table.set(kBindingTriangles, triangles);
   table.set(kBindingMaterials, materials);
   table.set(kBindingTextures, textures);

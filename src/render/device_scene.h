@@ -9,7 +9,7 @@
 namespace importon {
 
 struct DeviceScene {
-  gpu::Buffer bvh, vertices, triangles, materials, textures, texels, lights, lightAlias, lightOfTriangle;
+  gpu::Buffer bvh, vertices, triangles, materials, textures, texels, lights, lightAlias, lightOfTriangle, albedo;
   /// Enters all buffers under their binding numbers.
   void bind(gpu::BindingTable& table) const;
 };

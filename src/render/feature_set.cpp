@@ -11,7 +11,7 @@ namespace {
 constexpr float kSmoothRoughness = 0.0317f;
 
 bool reflects(const Material& m) {
-  return m.metallic > 0 || m.specular > 0 || m.transmission > 0 || m.metallicRoughnessTexture != kNone;
+  return m.metallic > 0 || m.specular > 0 || m.transmission > 0 || m.clearcoat > 0 || m.metallicRoughnessTexture != kNone;
 }
 
 /// Least value of the roughness channel (green) of a texture.
@@ -25,12 +25,16 @@ float leastRoughness(const Scene& scene, uint texture) {
 }
 
 bool mayBeSmooth(const Scene& scene, const Material& m) {
+  if (m.clearcoat > 0 &&
+      m.clearcoatRoughness * leastRoughness(scene, m.clearcoatRoughnessTexture) < kSmoothRoughness)
+    return true;
   return reflects(m) && m.roughness * leastRoughness(scene, m.metallicRoughnessTexture) < kSmoothRoughness;
 }
 
 bool usesTextures(const Material& m) {
   const uint slots[] = {m.baseColorTexture,    m.metallicRoughnessTexture, m.normalTexture, m.emissiveTexture,
-                        m.transmissionTexture, m.specularTexture,          m.specularColorTexture};
+                        m.transmissionTexture, m.specularTexture,          m.specularColorTexture,
+                        m.clearcoatTexture,    m.clearcoatRoughnessTexture};
   return std::any_of(std::begin(slots), std::end(slots), [](uint slot) { return slot != kNone; });
 }
 
@@ -53,6 +57,7 @@ FeatureSet findFeatures(const Scene& scene, const RenderJob& job) {
     f.hasTransmission = f.hasTransmission || m.transmission > 0;
     f.hasMedia = f.hasMedia || ((m.flags & kMaterialSolid) != 0 && m.transmission > 0 &&
                                 glm::any(glm::greaterThan(m.absorption, vec3(0))));
+    f.hasClearcoat = f.hasClearcoat || m.clearcoat > 0;
     f.needsCausticMap = f.needsCausticMap || mayBeSmooth(scene, m) || m.transmission > 0;
   }
   for (const Light& light : scene.lights) {
@@ -63,7 +68,7 @@ FeatureSet findFeatures(const Scene& scene, const RenderJob& job) {
   f.hasVertexColors = hasAnyColor(scene);
   f.needsGlobalMap = true;
   if (job.forcesAllFeatures) {
-    f = {true, true, true, true, true, true, true, true, true, f.hasEnvironment, true, true};
+    f = {true, true, true, true, true, true, true, true, true, true, f.hasEnvironment, true, true};
   }
   if (job.integrator == Integrator::path) f.needsCausticMap = f.needsGlobalMap = false;
   return f;
@@ -76,6 +81,7 @@ std::vector<gpu::Specialization> specializations(const FeatureSet& f) {
           {kSpecHasReflection, f.hasReflection},
           {kSpecHasTransmission, f.hasTransmission},
           {kSpecHasMedia, f.hasMedia},
+          {kSpecHasClearcoat, f.hasClearcoat},
           {kSpecHasTriangleLights, f.hasTriangleLights},
           {kSpecHasPunctualLights, f.hasPunctualLights},
           {kSpecHasEnvironment, f.hasEnvironment},

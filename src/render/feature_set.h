@@ -16,6 +16,7 @@ struct FeatureSet {
   bool hasReflection = false;      // anything but Lambertian reflection
   bool hasTransmission = false;
   bool hasMedia = false;           // absorbing solids
+  bool hasClearcoat = false;
   bool hasTriangleLights = false;
   bool hasPunctualLights = false;
   bool hasEnvironment = false;

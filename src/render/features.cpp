@@ -18,6 +18,7 @@ std::vector<FeatureRow> describeFeatures(const Scene& scene, const RenderJob& jo
           "every material is Lambertian"),
       row("transmission", f.hasTransmission, "a material transmits light", "no material transmits light"),
       row("media", f.hasMedia, "a solid absorbs light", "no solid absorbs light"),
+      row("clear coat", f.hasClearcoat, "a material has a clear coat", "no material has a clear coat"),
       row("area lights", f.hasTriangleLights, "a triangle emits", "no triangle emits"),
       row("punctual lights", f.hasPunctualLights, "there is a point, spot or directional light",
           "there is no punctual light"),

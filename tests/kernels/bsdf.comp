@@ -10,6 +10,8 @@ uvec4 triangleTexel(uint i) { return uvec4(i); }
 uvec4 materialTexel(uint i) { return uvec4(i); }
 uvec4 textureTexel(uint i) { return uvec4(i); }
 uint imageTexel(uint i) { return i; }
+layout(binding = 2) uniform usamplerBuffer albedoTexels;
+uint albedoTexel(uint i) { return texelFetch(albedoTexels, int(i)).x; }
 #include "lib/bsdf.glsl"
 
 struct Query {
@@ -25,6 +27,8 @@ struct Query {
   vec3 wi;
   vec2 u;
   float uLobe;
+  float coat;
+  float coatAlpha;
 };
 struct Answer {
   vec3 value;  // BSDF · |cosine| of (wo, wi)
@@ -50,8 +54,10 @@ Surface surfaceOf(Query q) {
   s.isFront = q.isFront != 0u;
   s.flags = q.isSolid != 0u ? kMaterialSolid : 0u;
   const float r = (q.ior - 1.0) / (q.ior + 1.0);
-  s.f0 = mix(vec3(r * r * q.specular), q.baseColor, q.metallic);
-  s.f90 = mix(q.specular, 1.0, q.metallic);
+  s.f0 = vec3(r * r * q.specular);
+  s.f90 = q.specular;
+  s.coat = q.coat;
+  s.coatAlpha = q.coatAlpha;
   return s;
 }
 

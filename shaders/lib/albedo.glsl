@@ -1,0 +1,69 @@
+// Share of light that rough interfaces scatter in a single event: what they miss is scattered more than once.
+// The kernel defines `uint albedoTexel(uint index)` (shared/albedo_table.h) before including this file.
+#ifndef IMPORTON_LIB_ALBEDO_GLSL
+#define IMPORTON_LIB_ALBEDO_GLSL
+#include "shared/albedo_table.h"
+
+vec2 albedoAt(uint index) { return unpackUnorm2x16(albedoTexel(index)); }
+
+/// Place in a row of `count` entries over the square root of `value` in 0 .. 1: the lower entry and the share of
+/// the next one.
+float tablePlace(float value, uint count, out uint index) {
+  const float x = sqrt(clamp(value, 0.0, 1.0)) * float(count - 1u);
+  index = min(uint(x), count - 2u);
+  return x - float(index);
+}
+
+/// x: share of light that GGX reflects at once with Fresnel 1; y: the same weighted with (1 - cosine)^5, as Schlick's
+/// reflectance f0 + (f90 - f0) (1 - cosine)^5 asks for.
+vec2 ggxAlbedo(float cosine, float alpha) {
+  uint i, j;
+  const float x = tablePlace(cosine, kAlbedoSide, i), y = tablePlace(alpha, kAlbedoSide, j);
+  const uint at = j * kAlbedoSide + i;
+  return mix(mix(albedoAt(at), albedoAt(at + 1u), x),
+             mix(albedoAt(at + kAlbedoSide), albedoAt(at + kAlbedoSide + 1u), x), y);
+}
+
+/// The same for light from everywhere.
+vec2 ggxMeanAlbedo(float alpha) {
+  uint j;
+  const float y = tablePlace(alpha, kAlbedoSide, j);
+  return mix(albedoAt(kAlbedoMeans + j), albedoAt(kAlbedoMeans + j + 1u), y);
+}
+
+/// Entry of the relative index `eta`, as tablePlace.
+float glassPlace(float eta, out uint index) {
+  const float n = max(eta, 1.0 / eta);
+  const float x = min((n - 1.0) / (n + 1.0) * (float(kGlassAlbedoIndices - 1u) / kGlassAlbedoLargest),
+                      float(kGlassAlbedoIndices - 1u));
+  index = min(uint(x), kGlassAlbedoIndices - 2u);
+  return x - float(index);
+}
+
+/// Share of light that a rough dielectric reflects and transmits at once, from the side whose other side has the
+/// index `eta` over its own.
+float glassAlbedo(float cosine, float alpha, float eta) {
+  uint i, j, k;
+  const float x = tablePlace(cosine, kGlassAlbedoSide, i), y = tablePlace(alpha, kGlassAlbedoSide, j);
+  const float z = glassPlace(eta, k);
+  vec2 rows[2];
+  for (uint l = 0u; l < 2u; ++l) {
+    const uint at = kGlassAlbedo + ((k + l) * kGlassAlbedoSide + j) * kGlassAlbedoSide + i;
+    rows[l] = mix(mix(albedoAt(at), albedoAt(at + 1u), x),
+                  mix(albedoAt(at + kGlassAlbedoSide), albedoAt(at + kGlassAlbedoSide + 1u), x), y);
+  }
+  const vec2 sides = mix(rows[0], rows[1], z);
+  return eta >= 1.0 ? sides.x : sides.y;
+}
+
+/// The same for light from everywhere; y: from the other side.
+vec2 glassMeanAlbedo(float alpha, float eta) {
+  uint j, k;
+  const float y = tablePlace(alpha, kGlassAlbedoSide, j), z = glassPlace(eta, k);
+  const uint at = kGlassAlbedoMeans + k * kGlassAlbedoSide + j;
+  const vec2 sides = mix(mix(albedoAt(at), albedoAt(at + 1u), y),
+                         mix(albedoAt(at + kGlassAlbedoSide), albedoAt(at + kGlassAlbedoSide + 1u), y), z);
+  return eta >= 1.0 ? sides : sides.yx;
+}
+
+#endif

@@ -1,0 +1,22 @@
+// Shape of the tables of directional albedo (src/render/make_albedo_table.cpp, lib/albedo.glsl). A texel holds two
+// 16-bit fractions. Cosines and roughnesses run over the square roots of 0 to 1, so that grazing directions and
+// sharp lobes have the most entries.
+#ifndef IMPORTON_SHARED_ALBEDO_TABLE_H
+#define IMPORTON_SHARED_ALBEDO_TABLE_H
+#include "glsl_compat.h"
+
+SHARED_BEGIN
+
+// GGX reflection with Fresnel 1 and with (1 - cosine)^5: rows of cosines, one for each alpha; then the rows' means.
+SHARED_CONST uint kAlbedoSide = 32u;
+SHARED_CONST uint kAlbedoMeans = kAlbedoSide * kAlbedoSide;
+// Rough dielectrics, from the thin side and from the dense one: the same for each index; then the means.
+SHARED_CONST uint kGlassAlbedoSide = 24u;
+SHARED_CONST uint kGlassAlbedoIndices = 16u;
+SHARED_CONST float kGlassAlbedoLargest = 0.6f;  // (n - 1) / (n + 1) of the last index
+SHARED_CONST uint kGlassAlbedo = kAlbedoMeans + kAlbedoSide;
+SHARED_CONST uint kGlassAlbedoMeans = kGlassAlbedo + kGlassAlbedoIndices * kGlassAlbedoSide * kGlassAlbedoSide;
+SHARED_CONST uint kAlbedoTexels = kGlassAlbedoMeans + kGlassAlbedoIndices * kGlassAlbedoSide;
+
+SHARED_END
+#endif

@@ -1,0 +1,146 @@
+// Writes the tables of directional albedo as C++ initialisers to stdout; runs during the build. Each entry is the
+// mean weight of a direction sampled by visible normals, over a grid of sample points, for the same microfacets as
+// shaders/lib/ggx.glsl. [Heitz 2018; Kulla and Conty 2017]
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "shared/albedo_table.h"
+
+namespace importon {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+using Pair = std::array<double, 2>;
+using dvec3 = glm::dvec3;
+
+double lambda(const dvec3& w, double alpha) {
+  const double tan2 = (w.x * w.x + w.y * w.y) / std::max(w.z * w.z, 1e-30);
+  return 0.5 * (std::sqrt(1 + alpha * alpha * tan2) - 1);
+}
+
+dvec3 visibleNormal(const dvec3& wo, double alpha, double u, double v) {
+  const dvec3 view = glm::normalize(dvec3(alpha * wo.x, alpha * wo.y, wo.z));
+  const double sine = std::hypot(view.x, view.y);
+  const dvec3 t1 = sine > 0 ? dvec3(-view.y, view.x, 0) / sine : dvec3(1, 0, 0);
+  const dvec3 t2 = glm::cross(view, t1);
+  const double r = std::sqrt(u), phi = 2 * kPi * v, x = r * std::cos(phi), s = 0.5 * (1 + view.z);
+  const double y = (1 - s) * std::sqrt(std::max(0.0, 1 - x * x)) + s * r * std::sin(phi);
+  const dvec3 n = x * t1 + y * t2 + std::sqrt(std::max(0.0, 1 - x * x - y * y)) * view;
+  return glm::normalize(dvec3(alpha * n.x, alpha * n.y, std::max(1e-9, n.z)));
+}
+
+dvec3 directionAt(double cosine) { return {std::sqrt(std::max(0.0, 1 - cosine * cosine)), 0, cosine}; }
+
+/// Mean of `weight(wo, h)` over normals visible from wo.
+template <class Weight>
+auto meanOverNormals(const dvec3& wo, double alpha, int side, const Weight& weight) {
+  Pair sum{};
+  for (int i = 0; i < side; ++i) {
+    for (int j = 0; j < side; ++j) {
+      const Pair w = weight(visibleNormal(wo, alpha, (i + 0.5) / side, (j + 0.5) / side));
+      sum[0] += w[0];
+      sum[1] += w[1];
+    }
+  }
+  return Pair{sum[0] / (side * side), sum[1] / (side * side)};
+}
+
+Pair reflectionAlbedo(double cosine, double alpha) {
+  constexpr int kSide = 96;
+  const dvec3 wo = directionAt(cosine);
+  const double out = 1 + lambda(wo, alpha);
+  return meanOverNormals(wo, alpha, kSide, [&](const dvec3& h) {
+    const double c = glm::dot(wo, h);
+    const dvec3 wi = 2 * c * h - wo;
+    const double weight = wi.z > 0 ? out / (out + lambda(wi, alpha)) : 0;
+    return Pair{weight, weight * std::pow(std::clamp(1 - c, 0.0, 1.0), 5)};
+  });
+}
+
+double fresnel(double cosine, double eta) {
+  const double sin2 = (1 - cosine * cosine) / (eta * eta);
+  if (sin2 >= 1) return 1;
+  const double inner = std::sqrt(1 - sin2);
+  const double p = (eta * cosine - inner) / (eta * cosine + inner), s = (cosine - eta * inner) / (cosine + eta * inner);
+  return 0.5 * (p * p + s * s);
+}
+
+double glassAlbedo(double cosine, double alpha, double eta) {
+  constexpr int kSide = 40;
+  const dvec3 wo = directionAt(cosine);
+  const double out = 1 + lambda(wo, alpha);
+  return meanOverNormals(wo, alpha, kSide, [&](const dvec3& h) {
+    const double c = std::max(glm::dot(wo, h), 0.0), f = fresnel(c, eta);
+    const dvec3 mirrored = 2 * c * h - wo;
+    double sum = mirrored.z > 0 ? f * out / (out + lambda(mirrored, alpha)) : 0;
+    if (f < 1) {
+      const dvec3 refracted = -wo / eta + (c / eta - std::sqrt(1 - (1 - c * c) / (eta * eta))) * h;
+      if (refracted.z < 0) sum += (1 - f) * out / (out + lambda(refracted, alpha));
+    }
+    return Pair{sum, 0};
+  })[0];
+}
+
+double quantised(double share) { return std::round(std::clamp(share, 0.0, 1.0) * 65535) / 65535; }
+
+/// Mean over a row, weighted by the cosine, of what is linear in its square root between entries: exact.
+double meanOfRow(const std::vector<double>& row) {
+  const double step = 1.0 / static_cast<double>(row.size() - 1);
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+    const double a = static_cast<double>(i) * step, b = a + step;
+    const double slope = (row[i + 1] - row[i]) / step, start = row[i] - slope * a;
+    sum += start * (std::pow(b, 4) - std::pow(a, 4)) + slope * 0.8 * (std::pow(b, 5) - std::pow(a, 5));
+  }
+  return sum;
+}
+
+void write(const Pair& texel) {
+  const auto bits = [](double share) { return static_cast<unsigned>(std::lround(quantised(share) * 65535)); };
+  std::printf("%uu,\n", bits(texel[0]) | bits(texel[1]) << 16);
+}
+
+/// Rows of `side` cosines for `side` alphas, and their means.
+template <class Albedo>
+void tabulate(unsigned side, const Albedo& albedo, std::vector<Pair>& texels, std::vector<Pair>& means) {
+  for (unsigned j = 0; j < side; ++j) {
+    std::array<std::vector<double>, 2> row;
+    for (unsigned i = 0; i < side; ++i) {
+      const double x = std::max(i / (side - 1.0), 1e-3), y = j / (side - 1.0);
+      const Pair texel = albedo(x * x, std::max(y * y, 1e-8));
+      for (std::size_t c : {0u, 1u}) row[c].push_back(quantised(texel[c]));
+      texels.push_back(texel);
+    }
+    means.push_back({meanOfRow(row[0]), meanOfRow(row[1])});
+  }
+}
+
+void writeAll() {
+  std::vector<Pair> texels, means;
+  tabulate(kAlbedoSide, reflectionAlbedo, texels, means);
+  for (const auto* list : {&texels, &means}) std::for_each(list->begin(), list->end(), write);
+  texels.clear();
+  means.clear();
+  for (unsigned k = 0; k < kGlassAlbedoIndices; ++k) {
+    const double s = static_cast<double>(kGlassAlbedoLargest) * k / (kGlassAlbedoIndices - 1.0);
+    const double n = (1 + s) / (1 - s);
+    tabulate(
+        kGlassAlbedoSide,
+        [n](double cosine, double alpha) {
+          return Pair{glassAlbedo(cosine, alpha, n), glassAlbedo(cosine, alpha, 1 / n)};
+        },
+        texels, means);
+  }
+  for (const auto* list : {&texels, &means}) std::for_each(list->begin(), list->end(), write);
+}
+
+}  // namespace
+}  // namespace importon
+
+int main() {
+  importon::writeAll();
+  return 0;
+}
