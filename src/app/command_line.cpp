@@ -22,13 +22,16 @@ struct Parser {
   RenderCommand render;
   InfoCommand info;
   CompareCommand compare;
-  CLI::App *renderApp = nullptr, *infoApp = nullptr, *compareApp = nullptr, *devicesApp = nullptr;
+  MergeCommand merge;
+  CLI::App *renderApp = nullptr, *infoApp = nullptr, *compareApp = nullptr, *mergeApp = nullptr,
+           *devicesApp = nullptr;
 
   Parser();
   void addInfo();
   void addCompare();
   void addCompareOutputs();
   void addCompareLimits();
+  void addMerge();
   [[nodiscard]] Command chosen() const;
 };
 
@@ -44,6 +47,7 @@ Parser::Parser() {
   addRenderOptions(*renderApp, render);
   addInfo();
   addCompare();
+  addMerge();
   devicesApp = app.add_subcommand("devices", "list the Vulkan devices, with the one that would be used");
 }
 
@@ -107,6 +111,22 @@ void Parser::addCompareLimits() {
       ->type_name("X");
 }
 
+void Parser::addMerge() {
+  mergeApp = app.add_subcommand("merge", "average runs of the same image with different seeds, by their passes");
+  mergeApp->add_option("A.exr", merge.images, "two images or more")
+      ->required()
+      ->expected(2, -1)
+      ->check(notEmpty())
+      ->type_name("");
+  mergeApp->add_option("-o,--output", merge.output, "the average, with the layers of the images")
+      ->required()
+      ->check(notEmpty())
+      ->type_name("F.exr");
+  mergeApp->add_option("--png", merge.png, "tone-mapped preview beside it (default: none)")
+      ->check(notEmpty())
+      ->type_name("F.png");
+}
+
 Command Parser::chosen() const {
   if (renderApp->parsed()) {
     checkRenderCommand(render);
@@ -114,13 +134,14 @@ Command Parser::chosen() const {
   }
   if (infoApp->parsed()) return info;
   if (compareApp->parsed()) return compare;
+  if (mergeApp->parsed()) return merge;
   return DevicesCommand{};
 }
 
 /// Puts `render` before what is no command.
 std::vector<std::string> withCommand(std::span<const std::string> arguments) {
-  constexpr std::array<std::string_view, 7> kFirstWords{"render", "info", "compare",  "devices",
-                                                        "--help", "-h",   "--version"};
+  constexpr std::array<std::string_view, 8> kFirstWords{"render",  "info",   "compare", "merge",
+                                                        "devices", "--help", "-h",      "--version"};
   std::vector<std::string> words(arguments.begin(), arguments.end());
   if (std::find(kFirstWords.begin(), kFirstWords.end(), words.front()) == kFirstWords.end()) {
     words.insert(words.begin(), "render");

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "base/log.h"
 #include "render/render_job.h"
@@ -30,6 +31,11 @@ struct CompareCommand {
   std::optional<double> floor;  // absolute, in the denominator of relMSE
 };
 
+struct MergeCommand {
+  std::vector<std::filesystem::path> images;  // two or more
+  std::filesystem::path output, png;          // png may be empty: none
+};
+
 struct DevicesCommand {};
 
 /// --help and --version: text for stdout.
@@ -37,7 +43,7 @@ struct TextCommand {
   std::string text;
 };
 
-using Command = std::variant<RenderCommand, InfoCommand, CompareCommand, DevicesCommand, TextCommand>;
+using Command = std::variant<RenderCommand, InfoCommand, CompareCommand, MergeCommand, DevicesCommand, TextCommand>;
 
 /// Reads the arguments after the program's name. `importon SCENE ...` is short for `importon render SCENE ...`.
 /// Throws UsageError on anything unknown, out of range or contradictory.

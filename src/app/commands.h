@@ -19,6 +19,9 @@ namespace importon {
 /// Prints to stdout; ExitStatus::limitExceeded when a limit is. Throws SceneError.
 [[nodiscard]] ExitStatus runCompare(const CompareCommand& command);
 
+/// Writes the average. Throws SceneError and OutputError.
+[[nodiscard]] ExitStatus runMerge(const MergeCommand& command);
+
 /// Prints to stdout. Throws DeviceError when there is no device.
 [[nodiscard]] ExitStatus runDevices();
 

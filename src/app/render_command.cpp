@@ -7,6 +7,7 @@
 #include "fmt/format.h"
 #include "io/image.h"
 #include "io/output_file.h"
+#include "render/job_fingerprint.h"
 #include "render/renderer.h"
 #include "scene/gltf_loader.h"
 
@@ -20,7 +21,7 @@ double secondsSince(Clock::time_point start) {
 }
 
 void checkOutputs(const RenderJob& job) {
-  for (const std::filesystem::path& file : {job.output, job.png, job.stats}) {
+  for (const std::filesystem::path& file : {job.output, job.png, job.stats, job.checkpoint}) {
     if (!file.empty()) checkWritable(file);
   }
 }
@@ -38,10 +39,11 @@ void warnOfUnusedOptions(const RenderJob& job, Log& log) {
 }
 
 /// Nothing that changes from run to run, so that the same job gives the same bytes.
-void addAttributes(const RenderJob& job, RenderResult& result) {
+void addAttributes(const RenderJob& job, const Scene& scene, RenderResult& result) {
   auto& attributes = result.image.attributes;
   attributes["importon:version"] = IMPORTON_VERSION;
   attributes["importon:scene"] = job.scene.filename().string();
+  attributes["importon:job"] = fmt::format("{:016x}", imageFingerprint(job, scene));
   attributes["importon:seed"] = std::to_string(job.seed);
   attributes["importon:passes"] = std::to_string(result.stats.passes);
   attributes["importon:device"] = result.stats.deviceName;
@@ -53,9 +55,10 @@ std::uint64_t peakHostBytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts KiB
 }
 
-void writeOutputs(const RenderJob& job, const Log& log, RenderResult& result, Clock::time_point start) {
+void writeOutputs(const RenderJob& job, const Scene& scene, const Log& log, RenderResult& result,
+                  Clock::time_point start) {
   const Clock::time_point outputStart = Clock::now();
-  addAttributes(job, result);
+  addAttributes(job, scene, result);
   writeExr(job.output, result.image);
   if (!job.png.empty()) writePng(job.png, result.image);
   if (job.stats.empty()) return;
@@ -93,8 +96,9 @@ ExitStatus runRender(const RenderCommand& command, const std::atomic<bool>& isIn
     log.note("interrupted before the first pass was done: no image is written");
     return ExitStatus::interrupted;
   }
-  writeOutputs(job, log, result, start);
+  writeOutputs(job, scene, log, result, start);
   log.detail(fmt::format("{} passes in {:.2f} s", result.stats.passes, secondsSince(start)));
+  if (result.lacksCheckpoint) return ExitStatus::output;
   return result.wasInterrupted ? ExitStatus::interrupted : ExitStatus::ok;
 }
 

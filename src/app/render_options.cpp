@@ -198,6 +198,20 @@ void addMachineOptions(CLI::App& app, RenderCommand& command) {
       ->group(group);
 }
 
+void addPauseOptions(CLI::App& app, RenderJob& job) {
+  const std::string group = "Pausing";
+  app.add_option("--checkpoint", job.checkpoint,
+                 "write the state every minute and at the end, Ctrl-C\nincluded (default: none)")
+      ->check(notEmpty())
+      ->type_name("F")
+      ->group(group);
+  app.add_option("--resume", job.resume,
+                 "go on from a checkpoint of this job, to the same image\nas a run never stopped (default: none)")
+      ->check(notEmpty())
+      ->type_name("F")
+      ->group(group);
+}
+
 void addMessageOptions(CLI::App& app, RenderCommand& command) {
   const std::string group = "Messages and checks";
   const auto set = [&command](Log::Verbosity verbosity) {
@@ -237,6 +251,7 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
   addStoppingOptions(app, command.job);
   addMethodOptions(app, command.job);
   addDensityOptions(app, command.job);
+  addPauseOptions(app, command.job);
   addMachineOptions(app, command);
   addMessageOptions(app, command);
 }
@@ -244,9 +259,10 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
 void checkRenderCommand(const RenderCommand& command) {
   const RenderJob& job = command.job;
   using Named = std::pair<const char*, const std::filesystem::path*>;
-  const std::array<Named, 5> files{Named{"SCENE", &job.scene}, Named{"--output", &job.output},
+  const std::array<Named, 6> files{Named{"SCENE", &job.scene}, Named{"--output", &job.output},
                                    Named{"--png", &job.png}, Named{"--stats", &job.stats},
-                                   Named{"--reference", &job.reference}};
+                                   Named{"--reference", &job.reference},
+                                   Named{"--checkpoint", &job.checkpoint}};
   for (std::size_t i = 0; i < files.size(); ++i) {
     for (std::size_t j = i + 1; j < files.size(); ++j) {
       if (files[i].second->empty() || files[j].second->empty()) continue;

@@ -20,6 +20,7 @@ class Film {
   /// Tiles of at most `tilePixels` pixels.
   Film(gpu::Context& context, std::uint64_t pixels, std::uint64_t tilePixels);
   [[nodiscard]] std::span<const FilmTile> tiles() const { return tiles_; }
+  [[nodiscard]] std::span<FilmTile> tiles() { return tiles_; }
   /// Reads the whole film back: even half, odd half, `pixels` each.
   [[nodiscard]] std::vector<FilmPixel> download() const;
 

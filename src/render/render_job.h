@@ -11,7 +11,8 @@ namespace importon {
 enum class Integrator { photon, path };
 enum class DensityControl { off, density };
 
-/// Unset optionals are chosen automatically. Names follow the options of `importon render`.
+/// Unset optionals are chosen automatically. Names follow the options of `importon render`. What decides the image
+/// also goes into settingsOf in job_fingerprint.cpp.
 struct RenderJob {
   std::filesystem::path scene;
   std::filesystem::path output;
@@ -38,6 +39,8 @@ struct RenderJob {
   int threads = 0;                           // 0: all
   std::optional<std::uint64_t> memoryMiB;    // cap for photon maps
   std::filesystem::path stats;               // empty: none
+  std::filesystem::path checkpoint;          // takes the state every minute and at the end; empty: none
+  std::filesystem::path resume;              // a checkpoint to go on from; empty: none
   std::filesystem::path reference;           // adds the error against it to the statistics; empty: none
   bool validation = false;
   bool forcesAllFeatures = false;            // every feature on: must give the same image

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/log.h"
+#include "render/checkpoint.h"
 #include "render/device_scene.h"
 #include "render/eye_pass.h"
 #include "render/film.h"
@@ -26,6 +27,13 @@ class RenderSession {
   /// Reads what the pass counted.
   void countPass(int pass);
 
+  /// The state after `passes` passes, with what else the caller has to keep.
+  [[nodiscard]] Checkpoint save(int passes, std::vector<CheckpointBlock> more);
+  /// Reads the job's checkpoint. SceneError where it is unreadable or of another run.
+  [[nodiscard]] Checkpoint readCheckpointOfJob() const;
+  /// Goes on from there. Importance must have been found.
+  void restore(const Checkpoint& checkpoint);
+
   [[nodiscard]] int maxPasses() const { return plan_.maxPasses; }
   [[nodiscard]] bool hasMaps() const { return job_.integrator == Integrator::photon; }
   [[nodiscard]] double estimatedError(int passes) const { return readFilm(passes).estimatedError; }
@@ -38,6 +46,13 @@ class RenderSession {
   void finishStats(int passes);
 
  private:
+  /// Memory of the device that lasts from pass to pass, by name: what a checkpoint must hold.
+  struct Lasting {
+    std::string name;
+    gpu::Buffer* buffer;
+  };
+  [[nodiscard]] std::vector<Lasting> lastingMemory();
+  [[nodiscard]] std::uint64_t runFingerprint() const;
   [[nodiscard]] FilmLayers readFilm(int passes) const;
   void loadDevice();
   void startPass(int pass);

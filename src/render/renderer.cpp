@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/pause.h"
 #include "render/render_session.h"
 #include "render/stop_rule.h"
 
@@ -29,7 +30,7 @@ RenderProgress describeProgress(RenderSession& session, const StopRule& rule, in
   p.photonsPerSecond = static_cast<double>(stats.photonsEmitted) / std::max(stats.seconds.photons, 1e-9);
   p.raysPerSecond = static_cast<double>(stats.closestRays + stats.shadowRays) / working;
   p.secondsLeft = rule.secondsLeft(passes, seconds);
-  p.error = rule.error();
+  p.error = rule.trend().error;
   p.target = rule.target();
   p.image = [&session, passes] { return session.resolveColor(passes); };
   return p;
@@ -40,13 +41,14 @@ RenderProgress describeProgress(RenderSession& session, const StopRule& rule, in
 RenderResult render(const RenderJob& job, const Scene& scene, Log& log, const std::atomic<bool>& isInterrupted,
                     const std::function<void(const RenderProgress&)>& progress, Clock::time_point start) {
   RenderSession session(job, scene, log);
+  Pause pause(job, session, log);
   if (session.hasMaps()) session.findImportance();
   StopRule rule(job, session.maxPasses(), guessFinish(job, session));
-  int passes = 0;
+  int passes = pause.resume(rule);
   double outside = 0;  // seconds spent in `progress`
   const auto elapsed = [&] { return secondsSince(start) - outside; };
   for (;;) {
-    if (rule.wantsEstimate(passes, elapsed())) {
+    if (rule.wantsEstimate(passes)) {
       const double estimateStart = elapsed();
       const double error = session.estimatedError(passes);
       rule.errorIs(passes, error, elapsed() - estimateStart);
@@ -61,9 +63,12 @@ RenderResult render(const RenderJob& job, const Scene& scene, Log& log, const st
     const double outsideStart = elapsed();
     progress(describeProgress(session, rule, passes, outsideStart));
     outside += elapsed() - outsideStart;
+    pause.save(rule, passes, false);
   }
+  pause.save(rule, passes, true);
   RenderResult result;
   result.wasInterrupted = isInterrupted;
+  result.lacksCheckpoint = pause.hasFailed();
   result.image = session.resolve(passes);
   session.finishStats(passes);
   result.stats = session.stats();

@@ -24,6 +24,7 @@ struct RenderResult {
   Image image;
   RenderStats stats;
   bool wasInterrupted = false;
+  bool lacksCheckpoint = false;  // the last one could not be written
 };
 
 /// Renders until the job's limits are reached or `isInterrupted` turns true (asked between passes); then returns

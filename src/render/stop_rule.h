@@ -7,9 +7,15 @@ namespace importon {
 /// The error at which a job that sets no limit of its own stops.
 inline constexpr double kDefaultError = 0.05;
 
+/// What is known of the error of a render in progress.
+struct ErrorTrend {
+  double error = -1;   // the last estimate; negative: none
+  int passes = 0;      // at which it was found
+  double slope = 0.4;  // s, if the error of n passes goes as n^-s; from the last two estimates, within [0.2, 0.5]
+};
+
 /// Told what passes and estimates take and bring; says when to estimate the error, when to stop, and how long it
-/// will be. All seconds are wall clock. The error of n passes is taken to go as n^-s, s from the last two
-/// estimates, within [0.2, 0.5].
+/// will be. All seconds are wall clock. Without a time budget nothing that is decided depends on time.
 class StopRule {
  public:
   /// `finishSeconds`: a first guess of what resolving and writing the image takes; estimates correct it.
@@ -19,17 +25,18 @@ class StopRule {
   /// `seconds` is what finding it took: about as much as resolving the image at the end will.
   void errorIs(int passes, double error, double seconds);
 
-  /// True if the error should be estimated now. Estimates come where the target may have been reached, and else
-  /// so rarely that they cost at most a twentieth of the time.
-  [[nodiscard]] bool wantsEstimate(int passes, double secondsSinceStart) const;
+  /// True if the error should be estimated now: where the target may have been reached, at the latest when the
+  /// passes have doubled, and not before a tenth more are done, since an estimate takes time.
+  [[nodiscard]] bool wantsEstimate(int passes) const;
   /// True if no further pass is to be made: enough passes, the error reached, or no time left for another pass
   /// and for writing the image. One pass is always made.
   [[nodiscard]] bool isDone(int passes, double secondsSinceStart) const;
 
   /// Until isDone, as far as is known; negative: not known.
   [[nodiscard]] double secondsLeft(int passes, double secondsSinceStart) const;
-  /// The last estimate; negative: none.
-  [[nodiscard]] double error() const { return error_; }
+  /// For a run that goes on from where another one stopped.
+  [[nodiscard]] const ErrorTrend& trend() const { return trend_; }
+  void resume(const ErrorTrend& trend) { trend_ = trend; }
   /// The error that the render is to reach; negative: none.
   [[nodiscard]] double target() const { return target_; }
 
@@ -43,9 +50,7 @@ class StopRule {
   double passSeconds_ = 0;   // of the slower of the last two passes
   double lastPassSeconds_ = 0;
   double estimateSeconds_ = 0, outputSeconds_ = 0;
-  double error_ = -1;
-  int errorPasses_ = 0;      // at which error_ was found
-  double slope_ = 0.4;       // s
+  ErrorTrend trend_;
 };
 
 }  // namespace importon

@@ -1,0 +1,50 @@
+#include "render/job_fingerprint.h"
+
+#include <fmt/format.h>
+
+#include "base/hash.h"
+#include "render/camera_setup.h"
+
+namespace importon {
+namespace {
+
+template <class T>
+void addArray(ContentHash& hash, const std::vector<T>& values) {
+  hash.add(std::as_bytes(std::span(values)));
+}
+
+template <class T>
+std::string shown(const std::optional<T>& value) {
+  return value ? fmt::format("{}", *value) : "automatic";
+}
+
+std::string settingsOf(const RenderJob& job) {
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}", static_cast<int>(job.integrator), shown(job.photons),
+                     shown(job.importons), static_cast<int>(job.control), shown(job.photonBatch), job.causticDensity,
+                     job.globalDensity, shown(job.constantDensity), job.redistribute, shown(job.gather),
+                     job.filtersIndirect, job.maxDepth, shown(job.memoryMiB));
+}
+
+}  // namespace
+
+std::uint64_t imageFingerprint(const RenderJob& job, const Scene& scene) {
+  ContentHash hash;
+  addArray(hash, scene.positions);
+  addArray(hash, scene.vertices);
+  addArray(hash, scene.triangles);
+  addArray(hash, scene.materials);
+  addArray(hash, scene.textures);
+  addArray(hash, scene.texels);
+  addArray(hash, scene.lights);
+  const Camera& camera = chooseCamera(scene, job);
+  const glm::ivec2 size = chooseSize(camera, job);
+  hash.add(std::as_bytes(std::span(&camera.worldFromCamera, 1)));
+  hash.add(fmt::format("{} {} {} {} {} {} {}", size.x, size.y, camera.isOrthographic, camera.yfov, camera.aspectRatio,
+                       camera.xmag, camera.ymag));
+  const vec3 environment = scene.environmentRadiance.value_or(vec3(0));
+  hash.add(std::as_bytes(std::span(&environment, 1)));
+  hash.add(settingsOf(job));
+  return hash.value();
+}
+
+}  // namespace importon

@@ -1,0 +1,78 @@
+// Saving and restoring a render in progress.
+#include <cstring>
+
+#include "base/error.h"
+#include "base/hash.h"
+#include "fmt/format.h"
+#include "render/job_fingerprint.h"
+#include "render/render_session.h"
+
+namespace importon {
+namespace {
+
+/// What stats_ sums over passes.
+struct PassSums {
+  std::uint64_t closestRays, shadowRays, photonsEmitted;
+  PhotonMapStats caustic, global;
+};
+constexpr const char* kSumsName = "sums";
+
+CheckpointBlock blockOf(const std::string& name, std::span<const std::byte> bytes) {
+  return {name, {bytes.begin(), bytes.end()}};
+}
+
+}  // namespace
+
+std::vector<RenderSession::Lasting> RenderSession::lastingMemory() {
+  std::vector<Lasting> lasting;
+  for (FilmTile& tile : film_->tiles()) lasting.push_back({fmt::format("film {}", tile.first), &tile.pixels});
+  if (!hasMaps()) return lasting;
+  lasting.push_back({"caustic importon hits", &importance_.caustic.hits});
+  lasting.push_back({"global importon hits", &importance_.global.hits});
+  return lasting;
+}
+
+std::uint64_t RenderSession::runFingerprint() const {
+  ContentHash hash;
+  hash.add(fmt::format("{} {} {} {}", imageFingerprint(job_, scene_), job_.seed, context_->info().name,
+                       context_->info().driver));
+  return hash.value();
+}
+
+Checkpoint RenderSession::save(int passes, std::vector<CheckpointBlock> more) {
+  Checkpoint checkpoint{runFingerprint(), passes, std::move(more)};
+  for (const Lasting& lasting : lastingMemory()) {
+    checkpoint.blocks.push_back({lasting.name, std::vector<std::byte>(lasting.buffer->bytes())});
+    lasting.buffer->downloadBytes(checkpoint.blocks.back().bytes);
+  }
+  const PassSums sums{stats_.closestRays, stats_.shadowRays, stats_.photonsEmitted, stats_.caustic, stats_.global};
+  checkpoint.blocks.push_back(blockOf(kSumsName, std::as_bytes(std::span(&sums, 1))));
+  return checkpoint;
+}
+
+Checkpoint RenderSession::readCheckpointOfJob() const {
+  Checkpoint checkpoint = readCheckpoint(job_.resume);
+  if (checkpoint.fingerprint != runFingerprint())
+    throw SceneError("the checkpoint is of another run", job_.resume.string(),
+                     "give the scene, seed, size, settings and device that it was made with");
+  return checkpoint;
+}
+
+void RenderSession::restore(const Checkpoint& checkpoint) {
+  const auto bytesOf = [&](const std::string& name, std::uint64_t size) -> std::span<const std::byte> {
+    const CheckpointBlock* block = checkpoint.find(name);
+    if (block != nullptr && block->bytes.size() == size) return block->bytes;
+    throw SceneError("the checkpoint has no fitting " + name, job_.resume.string(), "start again without --resume");
+  };
+  for (const Lasting& lasting : lastingMemory())
+    lasting.buffer->uploadBytes(bytesOf(lasting.name, lasting.buffer->bytes()));
+  PassSums sums{};
+  std::memcpy(static_cast<void*>(&sums), bytesOf(kSumsName, sizeof sums).data(), sizeof sums);
+  stats_.closestRays = sums.closestRays;
+  stats_.shadowRays = sums.shadowRays;
+  stats_.photonsEmitted = sums.photonsEmitted;
+  stats_.caustic = sums.caustic;
+  stats_.global = sums.global;
+}
+
+}  // namespace importon

@@ -1,0 +1,126 @@
+// Renders that stop and go on, and runs that share an image.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+#include "io/image.h"
+#include "support/temporary_folder.h"
+
+namespace importon {
+namespace {
+
+using test::Outcome;
+using test::readFile;
+using test::runImporton;
+using test::TemporaryFolder;
+using test::writeFile;
+
+const std::string kScenes = IMPORTON_SCENES;
+const std::string kCornell = kScenes + "/cornell_box/cornell_box.gltf";
+const std::string kRing = kScenes + "/ring/ring.gltf";  // has caustics
+
+std::vector<std::string> tiny(const std::string& scene, const std::string& output,
+                              std::initializer_list<std::string> more) {
+  std::vector<std::string> arguments{scene,       "-o",   output,        "--width", "24",
+                                     "--height",  "16",   "--photons",   "4096",    "--importons",
+                                     "2048"};
+  arguments.insert(arguments.end(), more);
+  return arguments;
+}
+
+void expectStatus(const Outcome& outcome, int status) { ASSERT_EQ(outcome.status, status) << outcome.err; }
+
+TEST(CliRender, ResumesToTheSameBits) {
+  for (const std::string& scene : {kCornell, kRing}) {
+    const TemporaryFolder folder;
+    const std::string state = folder / "state";
+    expectStatus(runImporton(tiny(scene, folder / "whole.exr", {"--passes", "5"})), 0);
+    expectStatus(runImporton(tiny(scene, folder / "part.exr", {"--passes", "3", "--checkpoint", state})), 0);
+    expectStatus(runImporton(tiny(scene, folder / "o.exr",
+                                  {"--passes", "5", "--resume", state, "--checkpoint", state, "--stats",
+                                   folder / "o.json"})),
+                 0);
+    EXPECT_EQ(readFile(folder / "o.exr"), readFile(folder / "whole.exr"));
+    EXPECT_NE(readFile(folder / "part.exr"), readFile(folder / "whole.exr"));
+    const auto stats = nlohmann::json::parse(readFile(folder / "o.json"));
+    EXPECT_EQ(stats["image"]["passes"], 5);
+    EXPECT_EQ(stats["photons"]["emitted"], 5 * 4096);
+    // The checkpoint of the end gives the image again without a pass.
+    expectStatus(runImporton(tiny(scene, folder / "again.exr", {"--passes", "5", "--resume", state})), 0);
+    EXPECT_EQ(readFile(folder / "again.exr"), readFile(folder / "whole.exr"));
+  }
+}
+
+TEST(CliRender, ResumesAfterAnInterrupt) {
+  const TemporaryFolder folder;
+  const std::string state = folder / "state";
+  const test::RunOptions interrupt{.hasTerminal = true, .onErr = [isSent = false](const std::string& err) mutable {
+                                     if (isSent || err.find("pass 2/") == std::string::npos) return 0;
+                                     isSent = true;
+                                     return SIGINT;
+                                   }};
+  expectStatus(runImporton(tiny(kCornell, folder / "part.exr", {"--passes", "100000", "--checkpoint", state}), interrupt),
+               130);
+  const int done = std::stoi(readExr(folder / "part.exr").attributes.at("importon:passes"));
+  const std::string all = std::to_string(done + 2);
+  expectStatus(runImporton(tiny(kCornell, folder / "whole.exr", {"--passes", all})), 0);
+  expectStatus(runImporton(tiny(kCornell, folder / "o.exr", {"--passes", all, "--resume", state})), 0);
+  EXPECT_EQ(readFile(folder / "o.exr"), readFile(folder / "whole.exr"));
+}
+
+TEST(CliRender, RefusesACheckpointOfAnotherRun) {
+  const TemporaryFolder folder;
+  const std::string state = folder / "state";
+  expectStatus(runImporton(tiny(kCornell, folder / "a.exr", {"--passes", "1", "--checkpoint", state})), 0);
+  for (const std::vector<std::string>& other :
+       {std::vector<std::string>{"--seed", "1"}, {"--gather", "2"}, {"--integrator", "path"}, {"--max-depth", "5"}}) {
+    auto arguments = tiny(kCornell, folder / "b.exr", {"--passes", "2", "--resume", state});
+    arguments.insert(arguments.end(), other.begin(), other.end());
+    const Outcome outcome = runImporton(arguments);
+    EXPECT_EQ(outcome.status, 2) << other[0];
+    EXPECT_NE(outcome.err.find("of another run"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(runImporton(tiny(kRing, folder / "b.exr", {"--passes", "2", "--resume", state})).status, 2);
+  EXPECT_EQ(folder.entries(), 2);
+}
+
+TEST(CliRender, RefusesATornCheckpoint) {
+  const TemporaryFolder folder;
+  const std::string state = folder / "state";
+  expectStatus(runImporton(tiny(kCornell, folder / "a.exr", {"--passes", "1", "--checkpoint", state})), 0);
+  writeFile(folder / "torn", readFile(state).substr(0, 10000));
+  const Outcome outcome = runImporton(tiny(kCornell, folder / "b.exr", {"--passes", "2", "--resume", folder / "torn"}));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err.find("importon: error: the checkpoint is torn or damaged ("), 0u) << outcome.err;
+}
+
+TEST(CliRender, WritesTheImageThoughTheCheckpointFails) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      runImporton(tiny(kCornell, folder / "a.exr", {"--passes", "1", "--checkpoint", "/dev/full"}));
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_NE(outcome.err.find("cannot write"), std::string::npos) << outcome.err;
+  EXPECT_EQ(readExr(folder / "a.exr").width, 24);
+}
+
+TEST(CliRender, MergesRunsOfDifferentSeeds) {
+  const TemporaryFolder folder;
+  expectStatus(runImporton(tiny(kCornell, folder / "a.exr", {"--passes", "3", "--seed", "1"})), 0);
+  expectStatus(runImporton(tiny(kCornell, folder / "b.exr", {"--passes", "1", "--seed", "2"})), 0);
+  expectStatus(runImporton({"merge", folder / "a.exr", folder / "b.exr", "-o", folder / "c.exr"}), 0);
+  const Image a = readExr(folder / "a.exr"), b = readExr(folder / "b.exr"), c = readExr(folder / "c.exr");
+  EXPECT_EQ(c.attributes.at("importon:seed"), "1 2");
+  EXPECT_EQ(c.attributes.at("importon:passes"), "4");
+  for (std::size_t i = 0; i < c.find("G")->values.size(); ++i) {
+    const float expected = 0.75F * a.find("G")->values[i] + 0.25F * b.find("G")->values[i];
+    EXPECT_NEAR(c.find("G")->values[i], expected, 1e-6F * expected) << i;
+  }
+  EXPECT_EQ(runImporton({"merge", folder / "a.exr", folder / "a.exr", "-o", folder / "d.exr"}).status, 2);
+  EXPECT_EQ(runImporton({"merge", folder / "a.exr", "-o", folder / "d.exr"}).status, 1);
+  EXPECT_EQ(folder.entries(), 3);
+}
+
+}  // namespace
+}  // namespace importon
