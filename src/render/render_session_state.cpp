@@ -10,12 +10,14 @@
 namespace importon {
 namespace {
 
-/// What stats_ sums over passes.
-struct PassSums {
+/// What lasts from pass to pass on the host: sums of the statistics, and how hard a lack of memory made control.
+struct HostState {
   std::uint64_t closestRays, shadowRays, photonsEmitted;
   PhotonMapStats caustic, global;
+  float densityLimit;
+  DensityControl control;
 };
-constexpr const char* kSumsName = "sums";
+constexpr const char* kHostName = "host";
 
 CheckpointBlock blockOf(const std::string& name, std::span<const std::byte> bytes) {
   return {name, {bytes.begin(), bytes.end()}};
@@ -45,8 +47,9 @@ Checkpoint RenderSession::save(int passes, std::vector<CheckpointBlock> more) {
     checkpoint.blocks.push_back({lasting.name, std::vector<std::byte>(lasting.buffer->bytes())});
     lasting.buffer->downloadBytes(checkpoint.blocks.back().bytes);
   }
-  const PassSums sums{stats_.closestRays, stats_.shadowRays, stats_.photonsEmitted, stats_.caustic, stats_.global};
-  checkpoint.blocks.push_back(blockOf(kSumsName, std::as_bytes(std::span(&sums, 1))));
+  const HostState host{stats_.closestRays, stats_.shadowRays, stats_.photonsEmitted,          stats_.caustic,
+                       stats_.global,      parameters_.globalMap.densityLimit, control_};
+  checkpoint.blocks.push_back(blockOf(kHostName, std::as_bytes(std::span(&host, 1))));
   return checkpoint;
 }
 
@@ -66,13 +69,15 @@ void RenderSession::restore(const Checkpoint& checkpoint) {
   };
   for (const Lasting& lasting : lastingMemory())
     lasting.buffer->uploadBytes(bytesOf(lasting.name, lasting.buffer->bytes()));
-  PassSums sums{};
-  std::memcpy(static_cast<void*>(&sums), bytesOf(kSumsName, sizeof sums).data(), sizeof sums);
-  stats_.closestRays = sums.closestRays;
-  stats_.shadowRays = sums.shadowRays;
-  stats_.photonsEmitted = sums.photonsEmitted;
-  stats_.caustic = sums.caustic;
-  stats_.global = sums.global;
+  HostState host{};
+  std::memcpy(static_cast<void*>(&host), bytesOf(kHostName, sizeof host).data(), sizeof host);
+  stats_.closestRays = host.closestRays;
+  stats_.shadowRays = host.shadowRays;
+  stats_.photonsEmitted = host.photonsEmitted;
+  stats_.caustic = host.caustic;
+  stats_.global = host.global;
+  parameters_.globalMap.densityLimit = parameters_.causticMap.densityLimit = host.densityLimit;
+  control_ = host.control;
 }
 
 }  // namespace importon

@@ -53,6 +53,23 @@ TEST(CliRender, ResumesToTheSameBits) {
   }
 }
 
+// What a lack of memory taught is part of the state.
+TEST(CliRender, ResumesWithHarderControl) {
+  const TemporaryFolder folder;
+  const std::string state = folder / "state";
+  const auto arguments = [&](const std::string& output, std::initializer_list<std::string> more) {
+    auto words = tiny(kCornell, output, more);
+    words.insert(words.end(), {"--memory", "1", "--control", "off"});
+    return words;
+  };
+  const Outcome whole = runImporton(arguments(folder / "whole.exr", {"--passes", "3"}));
+  expectStatus(whole, 0);
+  EXPECT_NE(whole.err.find("--memory"), std::string::npos) << whole.err;
+  expectStatus(runImporton(arguments(folder / "part.exr", {"--passes", "2", "--checkpoint", state})), 0);
+  expectStatus(runImporton(arguments(folder / "o.exr", {"--passes", "3", "--resume", state})), 0);
+  EXPECT_EQ(readFile(folder / "o.exr"), readFile(folder / "whole.exr"));
+}
+
 TEST(CliRender, ResumesAfterAnInterrupt) {
   const TemporaryFolder folder;
   const std::string state = folder / "state";
