@@ -30,9 +30,9 @@ void addEnvironment(uint slot, PathState path, Ray ray) {
   float weight = 1.0;
   if (path.pdfSolidAngle > 0.0) {
     const float chosen = lightProbability(params.lightCount, params.environmentLight, ray.origin, path.lightWeight);
-    weight = powerHeuristic(path.pdfSolidAngle, chosen / (4.0 * kPi));
+    weight = powerHeuristic(path.pdfSolidAngle, chosen * pdfEnvironment(ray.direction));
   }
-  addFound(slot, path, params.environmentRadiance * weight);
+  addFound(slot, path, environmentRadiance(ray.direction) * weight);
 }
 
 void addEmission(uint slot, PathState path, Ray ray, Hit hit, Surface s) {

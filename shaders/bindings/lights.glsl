@@ -7,10 +7,16 @@ layout(binding = kBindingLights) uniform usamplerBuffer lightTexels;
 layout(scalar, binding = kBindingLightAlias) readonly buffer LightAliasBlock { LightAlias lightAlias[]; };
 
 layout(binding = kBindingLightOfTriangle) uniform usamplerBuffer lightOfTriangleTexels;
+layout(binding = kBindingEnvironment) uniform usamplerBuffer environmentTexels;
+layout(binding = kBindingEnvironmentAlias) uniform usamplerBuffer environmentAliases;
 
 uint lightOfTriangle(uint triangle) { return texelFetch(lightOfTriangleTexels, int(triangle)).x; }
 uvec4 lightTexel(uint i) { return texelFetch(lightTexels, int(i)); }
 LightAlias lightAliasAt(uint i) { return lightAlias[i]; }
+
+uvec4 environmentTexel(uint i) { return texelFetch(environmentTexels, int(i)); }
+uvec2 environmentAlias(uint i) { return texelFetch(environmentAliases, int(i)).xy; }
+uvec2 environmentSize() { return params.environmentSize; }
 
 #include "lib/light.glsl"
 

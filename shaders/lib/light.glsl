@@ -1,9 +1,10 @@
 // Lights: choosing one for a point, sampling it, and emitting photons from it.
 // The kernel defines `uvec4 lightTexel(uint index)` (four per light: position and kind; direction and power;
 // emission and area; triangle, two-sidedness, cosines of a spot), `LightAlias lightAliasAt(uint index)` and includes
-// lib/surface.glsl before this file.
+// lib/surface.glsl and what lib/environment.glsl asks for before this file.
 #ifndef IMPORTON_LIB_LIGHT_GLSL
 #define IMPORTON_LIB_LIGHT_GLSL
+#include "lib/environment.glsl"
 
 const uint kLinearLights = 64u;  // up to so many, every light is weighed at every point
 
@@ -142,9 +143,10 @@ LightSample sampleLight(uint index, float probability, vec3 x, vec2 u) {
     s.target = offsetOrigin(p.position, p.error, p.normal, -s.direction);
     s.radiance = p.radiance / s.pdf;
   } else if (kHasEnvironment && light.kind == kLightEnvironment) {
-    s.direction = sampleSphere(u);
-    s.pdf = probability / (4.0 * kPi);
-    s.radiance = light.emission / s.pdf;
+    float pdf;
+    s.direction = sampleEnvironment(u, pdf);
+    s.pdf = probability * pdf;
+    s.radiance = environmentRadiance(s.direction) / s.pdf;
   } else if (kHasPunctualLights) {
     if (light.kind == kLightDirectional) {
       s.direction = -light.direction;
@@ -193,9 +195,10 @@ Emission emitFromLight(uint index, vec2 uPoint, vec2 uDirection, vec3 sceneCentr
     e.origin = offsetOrigin(p.position, p.error, n, e.direction);
     e.flux = p.radiance * (kPi * p.area * (isTwoSided ? 2.0 : 1.0));
   } else if (kHasEnvironment && light.kind == kLightEnvironment) {
-    e.direction = sampleSphere(uDirection);
+    float pdf;
+    e.direction = -sampleEnvironment(uDirection, pdf);
     e.origin = sceneCentre + frameAround(e.direction) * vec3(sampleDisc(uPoint) * sceneRadius, -sceneRadius);
-    e.flux = light.emission * (4.0 * kPi * kPi * sceneRadius * sceneRadius);
+    e.flux = environmentRadiance(-e.direction) * (kPi * sceneRadius * sceneRadius / pdf);
   } else if (kHasPunctualLights) {
     if (light.kind == kLightDirectional) {
       e.origin = sceneCentre + frameAround(e.direction) * vec3(sampleDisc(uPoint) * sceneRadius, -sceneRadius);

@@ -19,6 +19,9 @@ SHARED_CONST uint kBindingLights = 8;          // texel uint4, four per light: l
 SHARED_CONST uint kBindingLightAlias = 9;      // storage, LightAlias[]
 SHARED_CONST uint kBindingLightOfTriangle = 10;  // texel uint1
 
+SHARED_CONST uint kBindingEnvironment = 1;     // texel uint4, one per texel: lib/environment.glsl
+SHARED_CONST uint kBindingEnvironmentAlias = 61;  // texel uint2: the same
+
 // Ray queues. A ray stays in its slot; a queue is a list of slots.
 SHARED_CONST uint kBindingRays = 11;           // Ray[]: written as storage, read as texel uint4 through kBindingRayTexels
 SHARED_CONST uint kBindingRayTexels = 12;

@@ -30,7 +30,7 @@ struct Parameters {
   float gridExtent;          // power of two, at least the scene's largest side
   vec3 sceneCentre;
   float sceneRadius;
-  vec3 environmentRadiance;  // W/(m² sr)
+  uvec2 environmentSize;     // texels; at least 1 x 1
   uint environmentLight;     // index of the environment among the lights, kNone: none
   uint lightCount;
   float totalPower;          // W, sum of Light::power

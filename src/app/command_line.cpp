@@ -57,6 +57,9 @@ void Parser::addInfo() {
       ->required()
       ->check(notEmpty())
       ->type_name("");
+  infoApp->add_option("--environment", info.job.environment, "lat-long environment map (default: the scene's)")
+      ->check(notEmpty())
+      ->type_name("F.exr");
   infoApp->add_flag("--json", info.isJson, "as JSON");
 }
 

@@ -1,6 +1,7 @@
 #include <sys/resource.h>
 
 #include "app/commands.h"
+#include "app/environment_file.h"
 #include "app/progress.h"
 #include "app/reference_errors.h"
 #include "app/stats_file.h"
@@ -78,7 +79,7 @@ ExitStatus runRender(const RenderCommand& command, const std::atomic<bool>& isIn
   warnOfUnusedOptions(job, log);
 
   const Clock::time_point loadStart = Clock::now();
-  const Scene scene = loadGltf(job.scene, log);
+  const Scene scene = loadGltf(job.scene, log, readEnvironmentFile(job.environment));
   const double loadSeconds = secondsSince(loadStart);
   if (!scene.hasCameraInFile) log.note("the scene has no camera: it is seen from one that frames it");
 

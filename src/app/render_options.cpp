@@ -91,6 +91,14 @@ void addImageOptions(CLI::App& app, RenderJob& job) {
       ->group(group);
 }
 
+void addLightOptions(CLI::App& app, RenderJob& job) {
+  app.add_option("--environment", job.environment,
+                 "lat-long environment map; its middle looks along -z, its top is\n+y (default: the scene's)")
+      ->check(notEmpty())
+      ->type_name("F.exr")
+      ->group("Image");
+}
+
 void addStoppingOptions(CLI::App& app, RenderJob& job) {
   const std::string group =
       "When to stop, whichever comes first (default: --error 0.05, and 64 passes at most)";
@@ -248,6 +256,7 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
       ->type_name("");
   addOutputOptions(app, command);
   addImageOptions(app, command.job);
+  addLightOptions(app, command.job);
   addStoppingOptions(app, command.job);
   addMethodOptions(app, command.job);
   addDensityOptions(app, command.job);
@@ -259,10 +268,11 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
 void checkRenderCommand(const RenderCommand& command) {
   const RenderJob& job = command.job;
   using Named = std::pair<const char*, const std::filesystem::path*>;
-  const std::array<Named, 6> files{Named{"SCENE", &job.scene}, Named{"--output", &job.output},
+  const std::array<Named, 7> files{Named{"SCENE", &job.scene}, Named{"--output", &job.output},
                                    Named{"--png", &job.png}, Named{"--stats", &job.stats},
                                    Named{"--reference", &job.reference},
-                                   Named{"--checkpoint", &job.checkpoint}};
+                                   Named{"--checkpoint", &job.checkpoint},
+                                   Named{"--environment", &job.environment}};
   for (std::size_t i = 0; i < files.size(); ++i) {
     for (std::size_t j = i + 1; j < files.size(); ++j) {
       if (files[i].second->empty() || files[j].second->empty()) continue;

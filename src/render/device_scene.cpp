@@ -1,10 +1,12 @@
 #include "render/device_scene.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <numeric>
 
 #include "render/albedo_table.h"
+#include "scene/environment.h"
 #include "shared/bindings.h"
 
 namespace importon {
@@ -67,6 +69,37 @@ std::vector<uvec4> packLights(const Scene& scene) {
   return texels;
 }
 
+/// Radiance and the density of drawing each texel.
+std::vector<uvec4> packEnvironment(const EnvironmentMap& map) {
+  const std::vector<float> densities = environmentDensities(map);
+  std::vector<uvec4> texels(map.texels.size());
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    const vec4 texel(map.texels[i], densities[i]);
+    std::memcpy(&texels[i], &texel, sizeof texel);
+  }
+  return texels;
+}
+
+/// Alias tables of the rows, then of the columns of each row: see lib/environment.glsl.
+std::vector<uvec2> packEnvironmentAlias(const EnvironmentMap& map) {
+  const std::vector<float> densities = environmentDensities(map);
+  const auto width = static_cast<std::size_t>(map.width);
+  std::vector<double> rows;
+  std::vector<LightAlias> entries(static_cast<std::size_t>(map.height));
+  for (int y = 0; y < map.height; ++y) {
+    const auto first = densities.begin() + static_cast<std::ptrdiff_t>(width) * y;
+    const std::vector<double> row(first, first + map.width);
+    const double sum = std::accumulate(row.begin(), row.end(), 0.0);
+    rows.push_back(sum * texelSolidAngle(map, y));
+    const auto columns = makeAliasTable(sum > 0 ? row : std::vector<double>(width, 1.0));
+    entries.insert(entries.end(), columns.begin(), columns.end());
+  }
+  std::ranges::copy(makeAliasTable(rows), entries.begin());
+  std::vector<uvec2> texels;
+  for (const LightAlias& entry : entries) texels.emplace_back(std::bit_cast<uint>(entry.threshold), entry.other);
+  return texels;
+}
+
 template <class T>
 gpu::Buffer buffer(gpu::Context& context, const char* name, const std::vector<T>& data,
                    TexelFormat format = TexelFormat::none) {
@@ -116,6 +149,10 @@ DeviceScene uploadScene(gpu::Context& context, const Scene& scene, const Bvh& bv
   d.lightAlias = buffer(context, "light alias table", makeAliasTable(powers));
   d.lightOfTriangle = buffer(context, "light of triangle", scene.lightOfTriangle, TexelFormat::uint1);
   d.albedo = gpu::makeBuffer(context, "directional albedo", albedoTable(), TexelFormat::uint1);
+  const EnvironmentMap black{1, 1, {vec3(0.0f)}};
+  const EnvironmentMap& environment = scene.environment ? *scene.environment : black;
+  d.environment = buffer(context, "environment", packEnvironment(environment), TexelFormat::uint4);
+  d.environmentAlias = buffer(context, "environment alias tables", packEnvironmentAlias(environment), TexelFormat::uint2);
   return d;
 }
 
@@ -123,6 +160,8 @@ void DeviceScene::bind(gpu::BindingTable& table) const {
   table.set(kBindingBvhNodes, bvh);
   table.set(kBindingVertices, vertices);
   table.set(kBindingAlbedo, albedo);
+  table.set(kBindingEnvironment, environment);
+  table.set(kBindingEnvironmentAlias, environmentAlias);
   table.set(kBindingTriangles, triangles);
   table.set(kBindingMaterials, materials);
   table.set(kBindingTextures, textures);

@@ -10,6 +10,7 @@ namespace importon {
 
 struct DeviceScene {
   gpu::Buffer bvh, vertices, triangles, materials, textures, texels, lights, lightAlias, lightOfTriangle, albedo;
+  gpu::Buffer environment, environmentAlias;
   /// Enters all buffers under their binding numbers.
   void bind(gpu::BindingTable& table) const;
 };

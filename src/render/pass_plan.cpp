@@ -74,7 +74,7 @@ Parameters makeParameters(const RenderJob& job, const Scene& scene, const PassPl
   p.gridExtent = std::exp2(std::ceil(std::log2(longest * 1.0001f)));
   p.sceneCentre = 0.5f * (scene.boundsMin + scene.boundsMax);
   p.sceneRadius = 0.5f * glm::length(sides);
-  p.environmentRadiance = scene.environmentRadiance.value_or(vec3(0));
+  if (scene.environment) p.environmentSize = uvec2(scene.environment->width, scene.environment->height);
   p.environmentLight = kNone;
   double power = 0;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {

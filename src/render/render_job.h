@@ -38,6 +38,7 @@ struct RenderJob {
   std::string device;
   int threads = 0;                           // 0: all
   std::optional<std::uint64_t> memoryMiB;    // cap for photon maps
+  std::filesystem::path environment;         // lat-long map instead of the scene's own; empty: none
   std::filesystem::path stats;               // empty: none
   std::filesystem::path checkpoint;          // takes the state every minute and at the end; empty: none
   std::filesystem::path resume;              // a checkpoint to go on from; empty: none

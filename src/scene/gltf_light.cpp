@@ -83,7 +83,7 @@ std::vector<Light> readPunctualLights(const GltfDocument& document, std::span<co
   return lights;
 }
 
-std::optional<vec3> readEnvironment(const GltfDocument& document, Log& log) {
+std::optional<EnvironmentMap> readEnvironment(const GltfDocument& document, Log& log) {
   const std::size_t scene = defaultScene(document);
   const nlohmann::json& extras = member(element(member(document.json, "scenes"), scene), "extras");
   const nlohmann::json& environment = member(extras, "environment");
@@ -98,7 +98,7 @@ std::optional<vec3> readEnvironment(const GltfDocument& document, Log& log) {
   if (!environment.contains("radiance")) {
     throw SceneError("a constant environment needs 'radiance'", where, "add \"radiance\": [r, g, b]");
   }
-  return vectorOr<3>(environment, "radiance", vec3(0.0f));
+  return EnvironmentMap{1, 1, {vectorOr<3>(environment, "radiance", vec3(0.0f))}};
 }
 
 }  // namespace importon

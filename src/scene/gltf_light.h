@@ -19,6 +19,6 @@ namespace importon {
 
 /// extras.environment of the default scene: {"type": "constant", "radiance": [r, g, b]}. Other types are passed
 /// over with a warning.
-[[nodiscard]] std::optional<vec3> readEnvironment(const GltfDocument& document, Log& log);
+[[nodiscard]] std::optional<EnvironmentMap> readEnvironment(const GltfDocument& document, Log& log);
 
 }  // namespace importon

@@ -56,18 +56,20 @@ void completeAttributes(MeshLibrary& library, const MaterialSet& set, const std:
   }
 }
 
-void addLights(const GltfDocument& document, std::span<const PlacedNode> nodes, Scene& scene, Log& log) {
+void addLights(const GltfDocument& document, std::span<const PlacedNode> nodes,
+               std::optional<EnvironmentMap> environment, Scene& scene, Log& log) {
   addEmissiveTriangles(scene);
   const float radius = boundingSphere(scene).radius;
   for (const Light& light : readPunctualLights(document, nodes, scene.worldFromRender, radius)) {
     scene.lights.push_back(light);
   }
-  scene.environmentRadiance = readEnvironment(document, log);
+  scene.environment = environment ? std::move(environment) : readEnvironment(document, log);
   addEnvironmentLight(scene);
   if (!scene.lights.empty()) return;
   throw SceneError(
       "the scene has no light", document.source.name(),
-      "give a material emissiveFactor, or add KHR_lights_punctual or extras.environment to the scene");
+      "give a material emissiveFactor, add KHR_lights_punctual or extras.environment to the scene, or use "
+      "--environment");
 }
 
 void addCameras(const GltfDocument& document, std::span<const PlacedNode> nodes, Scene& scene) {
@@ -80,7 +82,7 @@ void addCameras(const GltfDocument& document, std::span<const PlacedNode> nodes,
 
 }  // namespace
 
-Scene loadGltf(const std::filesystem::path& file, Log& log) {
+Scene loadGltf(const std::filesystem::path& file, Log& log, std::optional<EnvironmentMap> environment) {
   std::error_code error;
   const std::string name = printable(file.string(), 4096);
   if (!std::filesystem::exists(file, error)) {
@@ -91,11 +93,12 @@ Scene loadGltf(const std::filesystem::path& file, Log& log) {
   }
   const std::vector<unsigned char> bytes = readWholeFile(file, name);
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  return loadGltfFromMemory(std::as_bytes(std::span(bytes)), file, folder, log);
+  return loadGltfFromMemory(std::as_bytes(std::span(bytes)), file, folder, log, std::move(environment));
 }
 
 Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem::path& name,
-                         const std::filesystem::path& baseFolder, Log& log) {
+                         const std::filesystem::path& baseFolder, Log& log,
+                         std::optional<EnvironmentMap> environment) {
   const GltfDocument document = readDocument(bytes, name, baseFolder, log);
   const std::vector<PlacedNode> nodes = placeNodes(document);
   MeshLibrary library(document, log);
@@ -111,7 +114,7 @@ Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem
   scene.textures = std::move(set.textures);
   scene.materials = std::move(set.materials);
   scene.materialNames = std::move(set.names);
-  addLights(document, nodes, scene, log);
+  addLights(document, nodes, std::move(environment), scene, log);
   addCameras(document, nodes, scene);
   return scene;
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 
 #include "base/log.h"
@@ -11,11 +12,14 @@ namespace importon {
 
 /// Loads and validates. Throws SceneError (file, JSON pointer, what, what to do) on anything malformed, on
 /// unknown extensionsRequired, and when there is no triangle or no light. Warns once per kind on what is
-/// passed over (points, lines, unknown extensionsUsed, degenerate or non-finite triangles, ...).
-[[nodiscard]] Scene loadGltf(const std::filesystem::path& file, Log& log);
+/// passed over (points, lines, unknown extensionsUsed, degenerate or non-finite triangles, ...). `environment`
+/// stands in for the file's own.
+[[nodiscard]] Scene loadGltf(const std::filesystem::path& file, Log& log,
+                             std::optional<EnvironmentMap> environment = std::nullopt);
 
 /// The same from memory, for tests and fuzzing; `baseFolder` resolves relative URIs, empty: none allowed.
 [[nodiscard]] Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem::path& name,
-                                       const std::filesystem::path& baseFolder, Log& log);
+                                       const std::filesystem::path& baseFolder, Log& log,
+                                       std::optional<EnvironmentMap> environment = std::nullopt);
 
 }  // namespace importon

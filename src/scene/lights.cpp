@@ -4,6 +4,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "base/parallel.h"
+#include "scene/environment.h"
 #include "scene/texture_sampling.h"
 
 namespace importon {
@@ -90,11 +91,13 @@ void addEmissiveTriangles(Scene& scene) {
 }
 
 void addEnvironmentLight(Scene& scene) {
-  if (!scene.environmentRadiance || !(meanOf(*scene.environmentRadiance) > 0)) return;
+  if (!scene.environment) return;
+  const vec3 mean = meanRadiance(*scene.environment);
+  if (!(meanOf(mean) > 0)) return;
   Light light{};
   light.kind = kLightEnvironment;
   light.triangle = kNone;
-  light.emission = *scene.environmentRadiance;
+  light.emission = mean;
   light.power = environmentPower(light.emission, boundingSphere(scene).radius);
   scene.lights.push_back(light);
 }

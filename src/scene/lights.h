@@ -26,7 +26,7 @@ struct BoundingSphere {
 /// W of parallel light of `irradiance` W/m² through the disc of the scene's bounding sphere: E pi r².
 [[nodiscard]] float directionalPower(const vec3& irradiance, float sceneRadius);
 
-/// W of an isotropic environment of `radiance` W/(m² sr) through the scene's bounding sphere: from each of the
+/// W of an environment of mean `radiance` W/(m² sr) through the scene's bounding sphere: from each of the
 /// 4 pi sr of directions it meets a disc of pi r², so 4 pi · pi r² · L.
 [[nodiscard]] float environmentPower(const vec3& radiance, float sceneRadius);
 

@@ -21,6 +21,13 @@ struct Camera {
   int width = 0, height = 0;   // extras.width/height, 0: not given
 };
 
+/// Light from far away, W/(m² sr), over a lat-long map: rows from the top, which is up (+y); the middle looks along
+/// -z, the right half to +x. One texel: the same from everywhere.
+struct EnvironmentMap {
+  int width = 1, height = 1;
+  std::vector<vec3> texels;
+};
+
 /// Everything that a render needs. All instances are flattened into one list of triangles. Positions are in
 /// render space: world = render + worldFromRender, with the scene's centre near the origin.
 struct Scene {
@@ -37,7 +44,7 @@ struct Scene {
   std::vector<Camera> cameras;
   glm::dvec3 worldFromRender{0.0};
   vec3 boundsMin{0}, boundsMax{0};  // render space
-  std::optional<vec3> environmentRadiance;  // W/(m² sr), constant environment
+  std::optional<EnvironmentMap> environment;
   bool hasCameraInFile = true;      // false: cameras[0] was made to frame the scene
 };
 

@@ -42,6 +42,23 @@ void expectGoodImage(const std::filesystem::path& file) {
   EXPECT_GT(sum, 0);
 }
 
+TEST(CliRender, SmokeTakesAnEnvironmentMap) {
+  const TemporaryFolder folder;
+  const Image map{2, 1, {{"R", {1, 1}}, {"G", {2, 2}}, {"B", {3, 3}}}, {}};
+  writeExr(folder / "sky.exr", map);
+  const Outcome outcome =
+      runImporton(smallRender(folder / "o.exr", {"--passes", "1", "--environment", folder / "sky.exr"}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Outcome info = runImporton({"info", kScene, "--environment", folder / "sky.exr"});
+  EXPECT_NE(info.out.find("1 environment"), std::string::npos) << info.out;
+  const Outcome missing =
+      runImporton(smallRender(folder / "o.exr", {"--passes", "1", "--environment", folder / "no.exr"}));
+  EXPECT_EQ(missing.status, 2);
+  EXPECT_NE(missing.err.find("no.exr"), std::string::npos) << missing.err;
+  writeExr(folder / "dark.exr", Image{1, 1, {{"R", {-1}}, {"G", {0}}, {"B", {0}}}, {}});
+  EXPECT_EQ(runImporton(smallRender(folder / "o.exr", {"--environment", folder / "dark.exr"})).status, 2);
+}
+
 TEST(CliRender, SmokeWritesImagePreviewAndStats) {
   const TemporaryFolder folder;
   const Outcome outcome = runImporton(smallRender(

@@ -35,7 +35,7 @@ std::vector<HostLayout> hostLayouts() {
                       recordMask, importonFlux, densityLimit),
       IMPORTON_LAYOUT(Parameters, cameraOrigin, cameraIsOrthographic, cameraForward, width, cameraRight,
                       height, cameraUp, seed, gridOrigin, gridExtent, sceneCentre, sceneRadius,
-                      environmentRadiance, environmentLight, lightCount, totalPower, pass, maxDepth,
+                      environmentSize, environmentLight, lightCount, totalPower, pass, maxDepth,
                       fluxScale, lookupPhotons, quotaPhotons, photonsPerPass, samplesPerPass, densityScale,
                       cameraMedium, importonFlux, causticMap, globalMap),
       IMPORTON_LAYOUT(LightAlias, threshold, other, probability),

@@ -162,8 +162,8 @@ TEST(Environment, IsALightOfItsOwn) {
   builder.json["materials"][0]["emissiveFactor"] = {0, 0, 0};
   builder.json["scenes"][0]["extras"]["environment"] = {{"type", "constant"}, {"radiance", {1, 2, 3}}};
   const Scene scene = load(builder);
-  ASSERT_TRUE(scene.environmentRadiance);
-  EXPECT_EQ(*scene.environmentRadiance, vec3(1, 2, 3));
+  ASSERT_TRUE(scene.environment);
+  EXPECT_EQ(scene.environment->texels, std::vector{vec3(1, 2, 3)});
   ASSERT_EQ(scene.lights.size(), 1u);
   EXPECT_EQ(scene.lights[0].kind, kLightEnvironment);
   EXPECT_EQ(scene.lights[0].emission, vec3(1, 2, 3));
@@ -174,7 +174,7 @@ TEST(Environment, OfAnotherTypeIsPassedOverWithAWarning) {
   GltfBuilder builder = GltfBuilder::emissiveTriangle();
   builder.json["scenes"][0]["extras"]["environment"] = {{"type", "sky"}};
   Log log(Log::Verbosity::quiet);
-  EXPECT_FALSE(load(builder.glb(), log).environmentRadiance);
+  EXPECT_FALSE(load(builder.glb(), log).environment);
   ASSERT_EQ(log.warnings().size(), 1u);
   EXPECT_NE(log.warnings()[0].message.find("'sky'"), std::string::npos);
 }
@@ -182,7 +182,7 @@ TEST(Environment, OfAnotherTypeIsPassedOverWithAWarning) {
 TEST(Environment, BelongsToItsScene) {
   GltfBuilder builder = GltfBuilder::emissiveTriangle();
   builder.add("scenes", {{"extras", {{"environment", {{"type", "constant"}, {"radiance", {1, 2, 3}}}}}}});
-  EXPECT_FALSE(load(builder).environmentRadiance);
+  EXPECT_FALSE(load(builder).environment);
 }
 
 TEST(Lights, StandInTheOrderTrianglesPunctualEnvironment) {

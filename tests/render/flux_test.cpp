@@ -125,6 +125,11 @@ TEST_F(Flux, OfEveryEmissionIsItsPower) {
        },
        2 * 16 * 0.8},
       {"environment", [](SceneBuilder& b) { b.environment(vec3(0.5f)); }, kPi * 0.5 * 16 * 2},  // both sides
+      {"environment map",
+       [](SceneBuilder& b) {
+         b.environment(EnvironmentMap{1, 2, {vec3(0.5f), vec3(0.5f)}});
+       },
+       kPi * 0.5 * 16 * 2},
       {"triangles",
        [](SceneBuilder& b) {
          b.square(b.material(emitter(vec3(4.0f))), {0, 1, 0}, {0, -1, 0}, 4);

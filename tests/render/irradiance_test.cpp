@@ -120,6 +120,44 @@ TEST_P(Irradiance, OfUniformEnvironmentIsPiTimesItsRadiance) {
   EXPECT_TRUE(isImageOf(renderDirect(builder.finish()).image, std::vector<double>(kSize * kSize, 0.7)));
 }
 
+/// A dim sky with a bright spot above, left of -z.
+EnvironmentMap skyWithSun() {
+  EnvironmentMap map{16, 8, {}};
+  for (int i = 0; i < 16 * 8; ++i) map.texels.emplace_back(0.1f + 0.05f * static_cast<float>(i % 3));
+  map.texels[16 + 5] = vec3(20.0f);
+  return map;
+}
+
+/// W/m² on a horizontal surface from a map that is interpolated as documented, by 8 x 8 points a texel.
+double irradianceFromAbove(const EnvironmentMap& map) {
+  constexpr int kPoints = 8;
+  const int width = map.width * kPoints, height = map.height * kPoints;
+  const auto texel = [&](int x, int y) {
+    const int column = (x + map.width) % map.width, row = std::clamp(y, 0, map.height - 1);
+    return static_cast<double>(map.texels[static_cast<std::size_t>(row * map.width + column)].x);
+  };
+  double sum = 0;
+  for (int j = 0; j < height / 2; ++j) {
+    const double top = std::cos(kPi * j / height), bottom = std::cos(kPi * (j + 1) / height);
+    const double y = (j + 0.5) / kPoints - 0.5, fy = y - std::floor(y);
+    for (int i = 0; i < width; ++i) {
+      const double x = (i + 0.5) / kPoints - 0.5, fx = x - std::floor(x);
+      const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
+      const double radiance = (1 - fy) * ((1 - fx) * texel(x0, y0) + fx * texel(x0 + 1, y0)) +
+                              fy * ((1 - fx) * texel(x0, y0 + 1) + fx * texel(x0 + 1, y0 + 1));
+      sum += radiance * kPi / width * (top * top - bottom * bottom);  // cosine times solid angle
+    }
+  }
+  return sum;
+}
+
+TEST_P(Irradiance, OfEnvironmentMapIsItsIntegral) {
+  SceneBuilder builder = whitePlane();
+  builder.environment(skyWithSun());
+  const double expected = irradianceFromAbove(skyWithSun()) / kPi;
+  EXPECT_TRUE(isImageOf(renderDirect(builder.finish(), 16).image, std::vector<double>(kSize * kSize, expected)));
+}
+
 TEST_P(Irradiance, BesideLargeLightIsThatOfThePolygon) {
   SceneBuilder builder = whitePlane(0.15, {0.2, 0, 1.6});
   builder.quad(builder.material(emitter(vec3(2.0f))), {-1, 0.1, -1}, {2, 0, 0}, {0, 0, 2});  // facing down

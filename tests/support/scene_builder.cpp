@@ -227,7 +227,7 @@ void SceneBuilder::directionalLight(const glm::dvec3& direction, const vec3& irr
   lights_.push_back({light, glm::dvec3(0.0), direction});
 }
 
-void SceneBuilder::environment(const vec3& radiance) { environment_ = radiance; }
+void SceneBuilder::environment(const vec3& radiance) { environment_ = EnvironmentMap{1, 1, {radiance}}; }
 
 void SceneBuilder::camera(const glm::dvec3& position, const glm::dvec3& target, double yfov, int width,
                           int height, const glm::dvec3& up) {
@@ -291,7 +291,7 @@ void SceneBuilder::placeLights(Scene& scene) const {
     if (light.kind == kLightDirectional) light.power = directionalPower(light.emission, radius);
     scene.lights.push_back(light);
   }
-  scene.environmentRadiance = environment_;
+  scene.environment = environment_;
   addEnvironmentLight(scene);
 }
 

@@ -55,6 +55,7 @@ class SceneBuilder {
                  double outer);
   void directionalLight(const glm::dvec3& direction, const vec3& irradiance);  // W/m² on a plane across it
   void environment(const vec3& radiance);                                      // W/(m² sr)
+  void environment(const EnvironmentMap& map) { environment_ = map; }
 
   /// A pinhole camera; yfov in radians. `up` need not be orthogonal to the view, but not parallel to it.
   void camera(const glm::dvec3& position, const glm::dvec3& target, double yfov, int width, int height,
@@ -90,7 +91,7 @@ class SceneBuilder {
   std::vector<Triangle> triangles_;
   std::vector<PunctualLight> lights_;
   std::vector<Camera> cameras_;
-  std::optional<vec3> environment_;
+  std::optional<EnvironmentMap> environment_;
   glm::dmat4 worldFromBuilt_{1.0};
 };
 

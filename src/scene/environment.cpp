@@ -1,0 +1,76 @@
+#include "scene/environment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "base/error.h"
+
+namespace importon {
+namespace {
+
+constexpr double kPi = glm::pi<double>();
+constexpr float kBrightest = 1e12f;
+
+double meanOf(const vec3& color) { return (static_cast<double>(color.x) + color.y + color.z) / 3.0; }
+
+double lightAt(const EnvironmentMap& map, int x, int y) {
+  const int column = (x + map.width) % map.width, row = std::clamp(y, 0, map.height - 1);
+  return meanOf(map.texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width) +
+                           static_cast<std::size_t>(column)]);
+}
+
+/// Light of a texel and of its neighbours, as much as interpolation brings into it.
+double blurredLight(const EnvironmentMap& map, int x, int y) {
+  constexpr double kWeights[] = {0.125, 0.75, 0.125};
+  double sum = 0;
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx) sum += kWeights[dx + 1] * kWeights[dy + 1] * lightAt(map, x + dx, y + dy);
+  return sum;
+}
+
+}  // namespace
+
+double texelSolidAngle(const EnvironmentMap& map, int row) {
+  const double top = std::cos(kPi * row / map.height), bottom = std::cos(kPi * (row + 1) / map.height);
+  return 2 * kPi / map.width * (top - bottom);
+}
+
+vec3 meanRadiance(const EnvironmentMap& map) {
+  glm::dvec3 sum(0.0);
+  for (int y = 0; y < map.height; ++y) {
+    glm::dvec3 row(0.0);
+    for (int x = 0; x < map.width; ++x)
+      row += glm::dvec3(map.texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
+                                   static_cast<std::size_t>(x)]);
+    sum += row * texelSolidAngle(map, y);
+  }
+  return vec3(sum / (4 * kPi));
+}
+
+std::vector<float> environmentDensities(const EnvironmentMap& map) {
+  std::vector<double> light;
+  double sum = 0;
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      light.push_back(blurredLight(map, x, y));
+      sum += light.back() * texelSolidAngle(map, y);
+    }
+  }
+  std::vector<float> densities;
+  for (const double value : light) densities.push_back(static_cast<float>(sum > 0 ? value / sum : 1 / (4 * kPi)));
+  return densities;
+}
+
+void checkEnvironment(const EnvironmentMap& map, const std::string& where) {
+  const auto fail = [&](const char* what) { throw SceneError(what, where, "give a lat-long image of radiance"); };
+  if (map.width < 1 || map.height < 1) fail("the environment map is empty");
+  if (map.texels.size() != static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height))
+    fail("the environment map is not whole");
+  for (const vec3& texel : map.texels)
+    for (int c = 0; c < 3; ++c)
+      if (!(texel[c] >= 0.0f && texel[c] <= kBrightest))
+        fail("the environment map has a value that is negative, not finite or too large");
+}
+
+}  // namespace importon
