@@ -41,8 +41,9 @@ std::uint64_t imageFingerprint(const RenderJob& job, const Scene& scene) {
   hash.add(std::as_bytes(std::span(&camera.worldFromCamera, 1)));
   hash.add(fmt::format("{} {} {} {} {} {} {}", size.x, size.y, camera.isOrthographic, camera.yfov, camera.aspectRatio,
                        camera.xmag, camera.ymag));
-  const vec3 environment = scene.environmentRadiance.value_or(vec3(0));
-  hash.add(std::as_bytes(std::span(&environment, 1)));
+  const EnvironmentMap environment = scene.environment.value_or(EnvironmentMap{});
+  hash.add(fmt::format("{} {}", environment.width, environment.height));
+  addArray(hash, environment.texels);
   hash.add(settingsOf(job));
   return hash.value();
 }
