@@ -7,6 +7,7 @@ layout(binding = kBindingLights) uniform usamplerBuffer lightTexels;
 layout(scalar, binding = kBindingLightAlias) readonly buffer LightAliasBlock { LightAlias lightAlias[]; };
 
 layout(binding = kBindingLightOfTriangle) uniform usamplerBuffer lightOfTriangleTexels;
+layout(binding = kBindingLightTree) uniform usamplerBuffer lightTreeTexels;
 layout(binding = kBindingEnvironment) uniform usamplerBuffer environmentTexels;
 layout(binding = kBindingEnvironmentAlias) uniform usamplerBuffer environmentAliases;
 
@@ -14,6 +15,7 @@ uint lightOfTriangle(uint triangle) { return texelFetch(lightOfTriangleTexels, i
 uvec4 lightTexel(uint i) { return texelFetch(lightTexels, int(i)); }
 LightAlias lightAliasAt(uint i) { return lightAlias[i]; }
 
+uvec4 lightTreeTexel(uint i) { return texelFetch(lightTreeTexels, int(i)); }
 uvec4 environmentTexel(uint i) { return texelFetch(environmentTexels, int(i)); }
 uvec2 environmentAlias(uint i) { return texelFetch(environmentAliases, int(i)).xy; }
 uvec2 environmentSize() { return params.environmentSize; }

@@ -1,12 +1,13 @@
 // Lights: choosing one for a point, sampling it, and emitting photons from it.
 // The kernel defines `uvec4 lightTexel(uint index)` (four per light: position and kind; direction and power;
 // emission and area; triangle, two-sidedness, cosines of a spot), `LightAlias lightAliasAt(uint index)` and includes
-// lib/surface.glsl and what lib/environment.glsl asks for before this file.
+// lib/surface.glsl and what lib/environment.glsl and lib/light_tree.glsl ask for before this file.
 #ifndef IMPORTON_LIB_LIGHT_GLSL
 #define IMPORTON_LIB_LIGHT_GLSL
 #include "lib/environment.glsl"
+#include "lib/light_tree.glsl"
 
-const uint kLinearLights = 64u;  // up to so many, every light is weighed at every point
+const uint kLinearLights = 64u;  // up to so many, every light is weighed at every point; more are in a tree
 
 struct LightSample {
   vec3 direction;   // to the light, unit length
@@ -52,14 +53,7 @@ float lightWeight(uint index, vec3 x) {
 uint chooseLight(uint count, vec3 x, float u, out float probability, out float weightSum) {
   probability = 0.0;
   weightSum = 0.0;
-  if (count > kLinearLights) {
-    const float scaled = u * float(count);
-    const uint i = min(uint(scaled), count - 1u);
-    const LightAlias entry = lightAliasAt(i);
-    const uint chosen = scaled - float(i) < entry.threshold ? i : entry.other;
-    probability = lightAliasAt(chosen).probability;
-    return chosen;
-  }
+  if (count > kLinearLights) return chooseFromTree(x, u, probability);
   // One pass: each light replaces the choice so far with its share of the sum so far; u is used up bit by bit.
   uint chosen = kNone;
   float chosenWeight = 0.0;
@@ -82,7 +76,7 @@ uint chooseLight(uint count, vec3 x, float u, out float probability, out float w
 
 /// Probability with which chooseLight took `index` at x.
 float lightProbability(uint count, uint index, vec3 x, float weightSum) {
-  if (count > kLinearLights) return lightAliasAt(index).probability;
+  if (count > kLinearLights) return treeProbability(count, index, x);
   return weightSum > 0.0 ? lightWeight(index, x) / weightSum : 0.0;
 }
 

@@ -19,6 +19,7 @@ SHARED_CONST uint kBindingLights = 8;          // texel uint4, four per light: l
 SHARED_CONST uint kBindingLightAlias = 9;      // storage, LightAlias[]
 SHARED_CONST uint kBindingLightOfTriangle = 10;  // texel uint1
 
+SHARED_CONST uint kBindingLightTree = 62;      // texel uint4: lib/light_tree.glsl
 SHARED_CONST uint kBindingEnvironment = 1;     // texel uint4, one per texel: lib/environment.glsl
 SHARED_CONST uint kBindingEnvironmentAlias = 61;  // texel uint2: the same
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "render/albedo_table.h"
+#include "render/light_tree.h"
 #include "scene/environment.h"
 #include "shared/bindings.h"
 
@@ -67,6 +68,13 @@ std::vector<uvec4> packLights(const Scene& scene) {
                            std::bit_cast<uint>(light.cosOuter)));
   }
   return texels;
+}
+
+std::vector<uvec4> packLightTree(const Scene& scene) {
+  if (scene.lights.empty()) return {};
+  std::vector<LightBounds> bounds;
+  for (const Light& light : scene.lights) bounds.push_back(boundLight(scene, completeLight(scene, light)));
+  return buildLightTree(bounds);
 }
 
 /// Radiance and the density of drawing each texel.
@@ -146,6 +154,7 @@ DeviceScene uploadScene(gpu::Context& context, const Scene& scene, const Bvh& bv
   d.textures = buffer(context, "textures", packTextures(scene), TexelFormat::uint4);
   d.texels = buffer(context, "texels", scene.texels, TexelFormat::uint1);
   d.lights = buffer(context, "lights", packLights(scene), TexelFormat::uint4);
+  d.lightTree = buffer(context, "light tree", packLightTree(scene), TexelFormat::uint4);
   d.lightAlias = buffer(context, "light alias table", makeAliasTable(powers));
   d.lightOfTriangle = buffer(context, "light of triangle", scene.lightOfTriangle, TexelFormat::uint1);
   d.albedo = gpu::makeBuffer(context, "directional albedo", albedoTable(), TexelFormat::uint1);
@@ -160,6 +169,7 @@ void DeviceScene::bind(gpu::BindingTable& table) const {
   table.set(kBindingBvhNodes, bvh);
   table.set(kBindingVertices, vertices);
   table.set(kBindingAlbedo, albedo);
+  table.set(kBindingLightTree, lightTree);
   table.set(kBindingEnvironment, environment);
   table.set(kBindingEnvironmentAlias, environmentAlias);
   table.set(kBindingTriangles, triangles);

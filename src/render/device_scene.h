@@ -10,7 +10,7 @@ namespace importon {
 
 struct DeviceScene {
   gpu::Buffer bvh, vertices, triangles, materials, textures, texels, lights, lightAlias, lightOfTriangle, albedo;
-  gpu::Buffer environment, environmentAlias;
+  gpu::Buffer environment, environmentAlias, lightTree;
   /// Enters all buffers under their binding numbers.
   void bind(gpu::BindingTable& table) const;
 };
