@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "CLI/CLI.hpp"
+#include "app/converge_options.h"
 #include "app/option_checks.h"
 #include "app/render_options.h"
 #include "base/error.h"
@@ -22,9 +23,10 @@ struct Parser {
   RenderCommand render;
   InfoCommand info;
   CompareCommand compare;
+  ConvergeOptions converge;
   MergeCommand merge;
-  CLI::App *renderApp = nullptr, *infoApp = nullptr, *compareApp = nullptr, *mergeApp = nullptr,
-           *devicesApp = nullptr;
+  CLI::App *renderApp = nullptr, *infoApp = nullptr, *compareApp = nullptr, *convergeApp = nullptr,
+           *mergeApp = nullptr, *devicesApp = nullptr;
 
   Parser();
   void addInfo();
@@ -47,6 +49,9 @@ Parser::Parser() {
   addRenderOptions(*renderApp, render);
   addInfo();
   addCompare();
+  convergeApp = app.add_subcommand(
+      "converge", "render SCENE in several ways, and write error against time as JSON, CSV and a web page");
+  addConvergeOptions(*convergeApp, converge);
   addMerge();
   devicesApp = app.add_subcommand("devices", "list the Vulkan devices, with the one that would be used");
 }
@@ -137,14 +142,15 @@ Command Parser::chosen() const {
   }
   if (infoApp->parsed()) return info;
   if (compareApp->parsed()) return compare;
+  if (convergeApp->parsed()) return makeConvergeCommand(converge, convergeApp->remaining());
   if (mergeApp->parsed()) return merge;
   return DevicesCommand{};
 }
 
 /// Puts `render` before what is no command.
 std::vector<std::string> withCommand(std::span<const std::string> arguments) {
-  constexpr std::array<std::string_view, 8> kFirstWords{"render",  "info",   "compare", "merge",
-                                                        "devices", "--help", "-h",      "--version"};
+  constexpr std::array<std::string_view, 9> kFirstWords{
+      "render", "info", "compare", "converge", "merge", "devices", "--help", "-h", "--version"};
   std::vector<std::string> words(arguments.begin(), arguments.end());
   if (std::find(kFirstWords.begin(), kFirstWords.end(), words.front()) == kFirstWords.end()) {
     words.insert(words.begin(), "render");

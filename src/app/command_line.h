@@ -31,6 +31,20 @@ struct CompareCommand {
   std::optional<double> floor;  // absolute, in the denominator of relMSE
 };
 
+/// A configuration of converge: a render with these options.
+struct NamedJob {
+  std::string name, options;
+  RenderJob job;
+};
+
+struct ConvergeCommand {
+  std::filesystem::path scene, reference, folder;
+  std::vector<NamedJob> configs;
+  std::vector<double> times;  // s, rising
+  int seeds = 3;
+  Log::Verbosity verbosity = Log::Verbosity::normal;
+};
+
 struct MergeCommand {
   std::vector<std::filesystem::path> images;  // two or more
   std::filesystem::path output, png;          // png may be empty: none
@@ -43,7 +57,8 @@ struct TextCommand {
   std::string text;
 };
 
-using Command = std::variant<RenderCommand, InfoCommand, CompareCommand, MergeCommand, DevicesCommand, TextCommand>;
+using Command = std::variant<RenderCommand, InfoCommand, CompareCommand, ConvergeCommand, MergeCommand,
+                             DevicesCommand, TextCommand>;
 
 /// Reads the arguments after the program's name. `importon SCENE ...` is short for `importon render SCENE ...`.
 /// Throws UsageError on anything unknown, out of range or contradictory.

@@ -19,6 +19,9 @@ namespace importon {
 /// Prints to stdout; ExitStatus::limitExceeded when a limit is. Throws SceneError.
 [[nodiscard]] ExitStatus runCompare(const CompareCommand& command);
 
+/// Renders, and writes results.json, results.csv and index.html. Throws SceneError, DeviceError and OutputError.
+[[nodiscard]] ExitStatus runConverge(const ConvergeCommand& command, const std::atomic<bool>& isInterrupted);
+
 /// Writes the average. Throws SceneError and OutputError.
 [[nodiscard]] ExitStatus runMerge(const MergeCommand& command);
 

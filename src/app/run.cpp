@@ -18,6 +18,9 @@ struct Runner {
   }
   ExitStatus operator()(const InfoCommand& command) const { return runInfo(command); }
   ExitStatus operator()(const CompareCommand& command) const { return runCompare(command); }
+  ExitStatus operator()(const ConvergeCommand& command) const {
+    return runConverge(command, watchForInterrupt());
+  }
   ExitStatus operator()(const MergeCommand& command) const { return runMerge(command); }
   ExitStatus operator()(const DevicesCommand&) const { return runDevices(); }
   ExitStatus operator()(const TextCommand& command) const {

@@ -32,6 +32,7 @@ RenderProgress describeProgress(RenderSession& session, const StopRule& rule, in
   p.secondsLeft = rule.secondsLeft(passes, seconds);
   p.error = rule.trend().error;
   p.target = rule.target();
+  p.stats = &stats;
   p.image = [&session, passes] { return session.resolveColor(passes); };
   return p;
 }

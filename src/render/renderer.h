@@ -17,7 +17,8 @@ struct RenderProgress {
   int pass = 0, passes = 0;
   double seconds = 0, photonsPerSecond = 0, raysPerSecond = 0, secondsLeft = -1;
   double error = -1, target = -1;  // estimated relative error of the image; the one at which to stop
-  std::function<Image()> image = {};  // the image so far, resolved anew at each call: without AOVs
+  const RenderStats* stats = nullptr;  // so far
+  std::function<Image()> image = {};   // the image so far, resolved anew at each call: without AOVs
 };
 
 struct RenderResult {

@@ -111,6 +111,24 @@ TEST(CliRender, RefusesAReferenceOfAnotherSize) {
   EXPECT_EQ(folder.entries(), 1);
 }
 
+TEST(CliRender, ConvergesAndWritesThePage) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(runImporton(smallRender(folder / "r.exr", {"--passes", "2", "--seed", "9"})).status, 0);
+  const Outcome outcome = runImporton({"converge", kScene, "--reference", folder / "r.exr", "-o", folder / "out",
+                                       "--configs", "uncontrolled", "--times", "5", "--seeds", "1", "--width", "32",
+                                       "--height", "24", "--photons", "4096"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  const auto json = nlohmann::json::parse(readFile(folder / "out/results.json"));
+  ASSERT_EQ(json["configs"].size(), 1u);
+  const auto& points = json["configs"][0]["runs"][0]["points"];
+  ASSERT_EQ(points.size(), 1u);
+  EXPECT_GT(points[0]["relmse_trimmed"], 0);
+  EXPECT_EQ(points[0]["photons_emitted"], 4096 * points[0]["passes"].get<int>());
+  EXPECT_EQ(readFile(folder / "out/results.csv").substr(0, 12), "config,seed,");
+  EXPECT_EQ(readFile(folder / "out/index.html").substr(0, 15), "<!DOCTYPE html>");
+}
+
 TEST(CliRender, ListsTheDevice) {
   const Outcome outcome = runImporton({"devices"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;

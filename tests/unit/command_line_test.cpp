@@ -1,4 +1,5 @@
 #include "app/command_line.h"
+#include "app/converge_options.h"
 
 #include <gtest/gtest.h>
 
@@ -113,6 +114,49 @@ TEST(CommandLine, ComparesAndInforms) {
   EXPECT_FALSE(std::get<InfoCommand>(parse("info s.gltf")).isJson);
   EXPECT_TRUE(std::get<InfoCommand>(parse("info --json s.gltf")).isJson);
   EXPECT_TRUE(std::holds_alternative<DevicesCommand>(parse("devices")));
+}
+
+TEST(CommandLine, Merges) {
+  const auto merge = std::get<MergeCommand>(parse("merge a.exr b.exr c.exr -o d.exr"));
+  EXPECT_EQ(merge.images, (std::vector<std::filesystem::path>{"a.exr", "b.exr", "c.exr"}));
+  EXPECT_EQ(merge.output, "d.exr");
+}
+
+TEST(CommandLine, ConvergesWithConfigurations) {
+  auto arguments = words("converge s.gltf --reference r.exr -o dir --configs path,uncontrolled --times 4,1,2.5 "
+                         "--seeds 5 --width 64 --height 48");
+  arguments.insert(arguments.end(), {"--config", "many rays=--gather 8 --photons 1000"});
+  const auto converge = std::get<ConvergeCommand>(parseCommandLine(arguments));
+  EXPECT_EQ(converge.scene, "s.gltf");
+  EXPECT_EQ(converge.reference, "r.exr");
+  EXPECT_EQ(converge.folder, "dir");
+  EXPECT_EQ(converge.times, (std::vector<double>{1, 2.5, 4}));
+  EXPECT_EQ(converge.seeds, 5);
+  ASSERT_EQ(converge.configs.size(), 3u);
+  EXPECT_EQ(converge.configs[0].job.integrator, Integrator::path);
+  EXPECT_EQ(converge.configs[1].job.control, DensityControl::off);
+  EXPECT_EQ(converge.configs[2].name, "many rays");
+  EXPECT_EQ(converge.configs[2].options, "--gather 8 --photons 1000");
+  EXPECT_EQ(converge.configs[2].job.gather, 8);
+  for (const NamedJob& config : converge.configs) EXPECT_EQ(config.job.width, 64) << config.name;
+}
+
+TEST(CommandLine, KnowsOnlyConfigurationsThatRender) {
+  for (const KnownConfig& config : knownConfigs()) {
+    const auto line = std::string("converge s.gltf --reference r.exr -o dir --configs ") + config.name;
+    EXPECT_EQ(std::get<ConvergeCommand>(parse(line)).configs[0].options, config.options);
+  }
+}
+
+TEST(CommandLine, RefusesBadConfigurations) {
+  const std::string start = "converge s.gltf --reference r.exr -o dir ";
+  EXPECT_NE(refusal(start + "--configs none").find("choose among default"), std::string::npos);
+  EXPECT_NE(refusal(start + "--bogus").find("--bogus"), std::string::npos);
+  EXPECT_NE(refusal(start + "--config x=--gather=none").find("configuration x"), std::string::npos);
+  EXPECT_NE(refusal(start + "--config default=").find("twice"), std::string::npos);
+  EXPECT_NE(refusal(start + "--config nothing").find("no plain name"), std::string::npos);
+  EXPECT_NE(refusal(start + "--times 1,soon").find("soon"), std::string::npos);
+  EXPECT_NE(refusal("converge s.gltf -o dir").find("--reference"), std::string::npos);
 }
 
 TEST(CommandLine, NamesWhatIsMissing) {

@@ -1,0 +1,49 @@
+#include <array>
+#include <system_error>
+
+#include "app/commands.h"
+#include "fmt/format.h"
+#include "io/image.h"
+#include "io/layers.h"
+#include "io/output_file.h"
+#include "report/converge_files.h"
+#include "scene/gltf_loader.h"
+
+namespace importon {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::array kFiles{"results.json", "results.csv", "index.html"};
+
+void makeFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw OutputError("cannot make the folder: " + error.message(), folder.string(), "choose another one");
+  for (const char* file : kFiles) checkWritable(folder / file);
+}
+
+}  // namespace
+
+ExitStatus runConverge(const ConvergeCommand& command, const std::atomic<bool>& isInterrupted) {
+  makeFolder(command.folder);
+  Log log(command.verbosity);
+  const Image reference = takeColor(readExr(command.reference), "", command.reference.string());
+  const Clock::time_point loadStart = Clock::now();
+  const Scene scene = loadGltf(command.scene, log);
+  ConvergePlan plan{{}, command.times, command.seeds, 0};
+  plan.loadSeconds = std::chrono::duration<double>(Clock::now() - loadStart).count();
+  for (const NamedJob& config : command.configs) plan.configs.push_back({config.name, config.options, config.job});
+
+  const auto tell = [&log](const std::string& line) { log.note(line); };
+  const ConvergeReport report =
+      converge(plan, scene, reference, command.reference.string(), log, isInterrupted, tell);
+  const ConvergeTitle title{IMPORTON_VERSION, command.scene.filename().string(),
+                            command.reference.filename().string(), command.seeds, command.times};
+  writeTextFile(command.folder / kFiles[0], convergeJson(title, report));
+  writeTextFile(command.folder / kFiles[1], convergeCsv(report));
+  writeTextFile(command.folder / kFiles[2], convergePage(title, report, reference));
+  return isInterrupted ? ExitStatus::interrupted : ExitStatus::ok;
+}
+
+}  // namespace importon

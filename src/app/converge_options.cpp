@@ -1,0 +1,131 @@
+#include "app/converge_options.h"
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+
+#include "app/option_checks.h"
+#include "base/error.h"
+#include "fmt/format.h"
+
+namespace importon {
+namespace {
+
+constexpr const char* kDefaultNames = "default,uncontrolled,path";
+
+std::vector<std::string> wordsOf(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+std::vector<std::string> knownNames() {
+  std::vector<std::string> names;
+  for (const KnownConfig& config : knownConfigs()) names.emplace_back(config.name);
+  return names;
+}
+
+std::string optionsOf(const std::string& name) {
+  for (const KnownConfig& config : knownConfigs()) {
+    if (config.name == name) return config.options;
+  }
+  return "";
+}
+
+std::vector<double> timesOf(const std::string& list) {
+  std::vector<double> times;
+  std::istringstream stream(list);
+  for (std::string part; std::getline(stream, part, ',');) {
+    if (const std::string wrong = positive("seconds")(part); !wrong.empty())
+      throw UsageError("--times: " + wrong, "command line", "give seconds, comma separated");
+    times.push_back(std::stod(part));
+  }
+  if (times.empty()) throw UsageError("--times is empty", "command line", "give seconds, comma separated");
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+/// The job of `render SCENE` with these options, by the parser of render.
+NamedJob makeConfig(const std::string& name, const std::string& options, const std::filesystem::path& scene,
+                    const std::vector<std::string>& common) {
+  std::vector<std::string> words{"render", scene.string(), "-o", "unused.exr"};
+  words.insert(words.end(), common.begin(), common.end());
+  const std::vector<std::string> own = wordsOf(options);
+  words.insert(words.end(), own.begin(), own.end());
+  try {
+    const auto render = std::get<RenderCommand>(parseCommandLine(words));
+    return {name, options, render.job};
+  } catch (const std::bad_variant_access&) {
+    throw UsageError(fmt::format("configuration {} does not render", name), "command line",
+                     "give options of importon render");
+  } catch (const UsageError& error) {
+    throw UsageError(fmt::format("configuration {}: {}", name, error.what()), "", "see importon render --help");
+  }
+}
+
+}  // namespace
+
+std::vector<KnownConfig> knownConfigs() {
+  return {{"default", ""},
+          {"uncontrolled", "--control off"},
+          {"density", "--control density"},
+          {"unfiltered", "--indirect-filter off"},
+          {"path", "--integrator path"}};
+}
+
+void addConvergeOptions(CLI::App& app, ConvergeOptions& options) {
+  app.add_option("SCENE", options.scene, "the scene, .gltf or .glb")->required()->check(notEmpty())->type_name("");
+  app.add_option("--reference", options.reference, "the image to measure against, converged, of the same size")
+      ->required()
+      ->check(notEmpty())
+      ->type_name("REF.exr");
+  app.add_option("-o,--output", options.folder, "folder for results.json, results.csv and index.html")
+      ->required()
+      ->check(notEmpty())
+      ->type_name("DIR");
+  std::string known;
+  for (const KnownConfig& config : knownConfigs()) known += fmt::format("\n{}: {}", config.name, config.options);
+  options.names = splitNames(kDefaultNames, knownNames(), "--configs");
+  app.add_option_function<std::string>(
+         "--configs",
+         [&options](const std::string& list) { options.names = splitNames(list, knownNames(), "--configs"); },
+         fmt::format("configurations, comma separated (default: {}), of{}", kDefaultNames, known))
+      ->type_name("LIST");
+  app.add_option("--config", options.custom,
+                 "a further one: a name and options of render, may come\nseveral times")
+      ->type_name("\"NAME=OPTIONS\"")
+      ->expected(1)
+      ->take_all();
+  options.times = {5, 10, 20, 40};
+  app.add_option_function<std::string>(
+         "--times", [&options](const std::string& list) { options.times = timesOf(list); },
+         "time budgets in seconds, comma separated (default: 5,10,20,40)")
+      ->type_name("LIST");
+  app.add_option("--seeds", options.seeds, "runs of each configuration (default: 3)")
+      ->check(wholeNumber(1, 10000, "seeds"))
+      ->type_name("N");
+  app.allow_extras();
+  app.footer("All other options are those of render, for every configuration: --width, --device, ...");
+}
+
+ConvergeCommand makeConvergeCommand(const ConvergeOptions& options, const std::vector<std::string>& common) {
+  ConvergeCommand command{options.scene, options.reference, options.folder, {}, options.times, options.seeds, {}};
+  for (const std::string& name : options.names)
+    command.configs.push_back(makeConfig(name, optionsOf(name), options.scene, common));
+  for (const std::string& text : options.custom) {
+    const std::size_t equals = text.find('=');
+    if (equals == 0 || equals == std::string::npos || text.find_first_of(",\"\n") < equals)
+      throw UsageError(fmt::format("--config \"{}\" has no plain name", text), "command line", "give NAME=OPTIONS");
+    command.configs.push_back(makeConfig(text.substr(0, equals), text.substr(equals + 1), options.scene, common));
+  }
+  for (std::size_t i = 0; i < command.configs.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (command.configs[i].name == command.configs[j].name)
+        throw UsageError(fmt::format("configuration {} is there twice", command.configs[i].name), "command line",
+                         "give each its own name");
+    }
+  }
+  return command;
+}
+
+}  // namespace importon
