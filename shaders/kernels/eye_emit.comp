@@ -6,6 +6,9 @@
 #include "lib/features.glsl"
 #include "lib/camera.glsl"
 #include "lib/eye_stream.glsl"
+#include "lib/pixel_filter.glsl"
+
+layout(constant_id = kSpecPixelFilter) const uint kPixelFilter = kFilterBox;
 
 layout(push_constant, scalar) uniform PushBlock { EyeEmitPush push; };
 
@@ -13,12 +16,11 @@ void main() {
   const uint slot = invocationIndex();
   if (slot >= push.count) return;
   const uint id = push.first + slot;
-  vec2 u = sequencePoint(eyeStream(id), eyeIndex(id), kPairFirst);
-  if (push.isCentred != 0u) u = vec2(0.5);
+  const vec2 u = sequencePoint(eyeStream(id), eyeIndex(id), kPairFirst);
   const vec2 size = vec2(params.width, params.height);
   const bool isImporton = kEyeMode == kEyeImportons;
   const vec2 corner = vec2(id % params.width, id / params.width);
-  Ray ray = cameraRay(params, isImporton ? u * size : corner + u);
+  Ray ray = cameraRay(params, isImporton ? u * size : corner + (push.isCentred != 0u ? vec2(0.5) : pixelPoint(kPixelFilter, u)));
   ray.id = hash(eyeStream(id) ^ hash(eyeIndex(id)));
 
   PathState path;

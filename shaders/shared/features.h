@@ -25,6 +25,12 @@ SHARED_CONST uint kSpecEyeMode = 12u;          // kEyeImage, kEyeImportons, kEye
 SHARED_CONST uint kSpecHasCausticMap = 13u;
 SHARED_CONST uint kSpecHasGlobalMap = 14u;
 
+SHARED_CONST uint kSpecPixelFilter = 16u;      // kFilter*
+
+SHARED_CONST uint kFilterBox = 0u;
+SHARED_CONST uint kFilterGaussian = 1u;
+SHARED_CONST uint kFilterBlackmanHarris = 2u;
+
 SHARED_CONST uint kEyeImage = 0u;       // the image, with the photon maps
 SHARED_CONST uint kEyeImportons = 1u;   // records where the image would read the maps
 SHARED_CONST uint kEyePath = 2u;        // unidirectional path tracing

@@ -91,6 +91,15 @@ void addImageOptions(CLI::App& app, RenderJob& job) {
       ->group(group);
 }
 
+void addFilterOption(CLI::App& app, RenderJob& job) {
+  addChoice<PixelFilter>(app, "--filter",
+                         {{"box", PixelFilter::box},
+                          {"gaussian", PixelFilter::gaussian},
+                          {"blackman-harris", PixelFilter::blackmanHarris}},
+                         job.filter, "pixel filter (default: box)")
+      ->group("Image");
+}
+
 void addLightOptions(CLI::App& app, RenderJob& job) {
   app.add_option("--environment", job.environment,
                  "lat-long environment map; its middle looks along -z, its top is\n+y (default: the scene's)")
@@ -256,6 +265,7 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
       ->type_name("");
   addOutputOptions(app, command);
   addImageOptions(app, command.job);
+  addFilterOption(app, command.job);
   addLightOptions(app, command.job);
   addStoppingOptions(app, command.job);
   addMethodOptions(app, command.job);

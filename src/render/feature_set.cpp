@@ -68,8 +68,9 @@ FeatureSet findFeatures(const Scene& scene, const RenderJob& job) {
   f.hasVertexColors = hasAnyColor(scene);
   f.needsGlobalMap = true;
   if (job.forcesAllFeatures) {
-    f = {true, true, true, true, true, true, true, true, true, true, f.hasEnvironment, true, true};
+    f = {true, true, true, true, true, true, true, true, true, true, f.hasEnvironment, 0, true, true};
   }
+  f.pixelFilter = static_cast<uint>(job.filter);
   if (job.integrator == Integrator::path) f.needsCausticMap = f.needsGlobalMap = false;
   return f;
 }
@@ -85,6 +86,7 @@ std::vector<gpu::Specialization> specializations(const FeatureSet& f) {
           {kSpecHasTriangleLights, f.hasTriangleLights},
           {kSpecHasPunctualLights, f.hasPunctualLights},
           {kSpecHasEnvironment, f.hasEnvironment},
+          {kSpecPixelFilter, f.pixelFilter},
           {kSpecHasCausticMap, f.needsCausticMap},
           {kSpecHasGlobalMap, f.needsGlobalMap}};
 }

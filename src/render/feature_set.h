@@ -20,6 +20,7 @@ struct FeatureSet {
   bool hasTriangleLights = false;
   bool hasPunctualLights = false;
   bool hasEnvironment = false;
+  uint pixelFilter = 0;            // kFilter*
   bool needsCausticMap = false;    // a smooth reflecting or transmitting surface
   bool needsGlobalMap = false;     // light that comes from a surface that is no light
 };

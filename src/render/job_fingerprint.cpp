@@ -19,8 +19,9 @@ std::string shown(const std::optional<T>& value) {
 }
 
 std::string settingsOf(const RenderJob& job) {
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}", static_cast<int>(job.integrator), shown(job.photons),
-                     shown(job.importons), static_cast<int>(job.control), shown(job.photonBatch), job.causticDensity,
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {}", static_cast<int>(job.filter),
+                     static_cast<int>(job.integrator), shown(job.photons), shown(job.importons),
+                     static_cast<int>(job.control), shown(job.photonBatch), job.causticDensity,
                      job.globalDensity, shown(job.constantDensity), shown(job.redistribute), shown(job.gather),
                      job.filtersIndirect, job.maxDepth, shown(job.memoryMiB));
 }

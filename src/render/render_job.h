@@ -9,6 +9,7 @@
 namespace importon {
 
 enum class Integrator { photon, path };
+enum class PixelFilter { box, gaussian, blackmanHarris };  // kFilter* of shared/features.h
 enum class DensityControl { off, density };
 
 /// Unset optionals are chosen automatically. Names follow the options of `importon render`. What decides the image
@@ -18,6 +19,7 @@ struct RenderJob {
   std::filesystem::path output;
   std::filesystem::path png;                 // empty: none
   std::optional<int> width, height;          // pixels
+  PixelFilter filter = PixelFilter::box;
   std::string camera;                        // name or index; empty: the first
   Integrator integrator = Integrator::photon;
   std::optional<int> passes;                 // at most

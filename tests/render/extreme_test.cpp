@@ -75,6 +75,30 @@ TEST_F(Extreme, ScenesWithoutLightsAreBlack) {
   }
 }
 
+/// A bright speck, smaller than a pixel, before black: its light is the same in all, however it is spread.
+TEST_F(Extreme, FiltersSpreadLightButKeepIt) {
+  SceneBuilder builder;
+  builder.square(builder.material(emitter(vec3(100.0f))), {0.02, 0.03, 0}, {0, 0, 1}, 0.03);
+  builder.camera({0, 0, 2}, {0, 0, 0}, 0.8, kSize, kSize);
+  const Scene scene = builder.finish();
+  RenderJob job = makeJob(Integrator::path, 1);
+  job.gather = 64;  // paths per pixel
+  const auto figures = [&](PixelFilter filter) {
+    job.filter = filter;
+    return overSeeds(job, scene, 3, [](const Rendered& r) {
+      const std::vector<float> values = valuesOf(r.image);
+      const auto lit = std::ranges::count_if(values, [](float value) { return value > 0; });
+      return std::vector{meanOf(r.image), static_cast<double>(lit)};
+    });
+  };
+  const std::vector<Moments> box = figures(PixelFilter::box);
+  for (const PixelFilter filter : {PixelFilter::gaussian, PixelFilter::blackmanHarris}) {
+    const std::vector<Moments> other = figures(filter);
+    EXPECT_TRUE(haveSameMean(box[0], other[0], 2));
+    EXPECT_GT(other[1].mean(), box[1].mean());
+  }
+}
+
 /// All photons of a narrow beam fall in one place.
 TEST_F(Extreme, BeamKeepsItsPower) {
   SceneBuilder builder;

@@ -249,6 +249,8 @@ TEST(CommandLine, HelpNamesEveryCommandAndOption) {
                            "--width",
                            "--height",
                            "--camera",
+                           "--filter",
+                           "--environment",
                            "--passes",
                            "--time",
                            "--integrator",
