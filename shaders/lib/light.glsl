@@ -35,6 +35,12 @@ Light lightAt(uint index) {
   return light;
 }
 
+/// Share of its intensity that a spot light sends at this cosine to its axis. [KHR_lights_punctual]
+float spotFalloff(float cosInner, float cosOuter, float cosine) {
+  const float t = clamp((cosine - cosOuter) / max(cosInner - cosOuter, 1e-9), 0.0, 1.0);
+  return t * t;
+}
+
 /// Irradiance that a light may bring to x, roughly: the weight of choosing it. Zero only where it brings none.
 float lightWeight(uint index, vec3 x) {
   const uvec4 t0 = lightTexel(4u * index), t1 = lightTexel(4u * index + 1u), t2 = lightTexel(4u * index + 2u);
@@ -43,7 +49,12 @@ float lightWeight(uint index, vec3 x) {
   if (kind == kLightEnvironment) return kPi * mean(uintBitsToFloat(t2.xyz));
   const vec3 to = uintBitsToFloat(t0.xyz) - x;
   const float d2 = dot(to, to), power = uintBitsToFloat(t1.w);
-  if (kind != kLightTriangle) return power / (4.0 * kPi * max(d2, 1e-30));
+  if (kind == kLightSpot) {
+    const uvec4 t3 = lightTexel(4u * index + 3u);
+    const float cosine = -dot(to, uintBitsToFloat(t1.xyz)) * inversesqrt(max(d2, 1e-30));
+    return mean(uintBitsToFloat(t2.xyz)) * spotFalloff(uintBitsToFloat(t3.z), uintBitsToFloat(t3.w), cosine) / max(d2, 1e-30);
+  }
+  if (kind == kLightPoint) return power / (4.0 * kPi * max(d2, 1e-30));
   const bool isBehind = dot(to, uintBitsToFloat(t1.xyz)) > 0.0 && lightTexel(4u * index + 3u).y == 0u;
   if (isBehind) return 0.0;  // exact: all of the light lies in one plane
   return power / (kPi * max(d2, uintBitsToFloat(t2.w)));
@@ -78,11 +89,6 @@ uint chooseLight(uint count, vec3 x, float u, out float probability, out float w
 float lightProbability(uint count, uint index, vec3 x, float weightSum) {
   if (count > kLinearLights) return treeProbability(count, index, x);
   return weightSum > 0.0 ? lightWeight(index, x) / weightSum : 0.0;
-}
-
-float spotFalloff(Light light, float cosine) {
-  const float t = clamp((cosine - light.cosOuter) / max(light.cosInner - light.cosOuter, 1e-9), 0.0, 1.0);
-  return t * t;  // KHR_lights_punctual
 }
 
 struct TrianglePoint {
@@ -151,7 +157,7 @@ LightSample sampleLight(uint index, float probability, vec3 x, vec2 u) {
       s.target = light.position;
       s.distance = sqrt(d2);
       s.direction = to / s.distance;
-      const float falloff = light.kind == kLightSpot ? spotFalloff(light, -dot(light.direction, s.direction)) : 1.0;
+      const float falloff = light.kind == kLightSpot ? spotFalloff(light.cosInner, light.cosOuter, -dot(light.direction, s.direction)) : 1.0;
       s.radiance = light.emission * (falloff / (d2 * probability));
     }
   }
@@ -200,7 +206,7 @@ Emission emitFromLight(uint index, vec2 uPoint, vec2 uDirection, vec3 sceneCentr
     } else if (light.kind == kLightSpot) {
       const vec3 local = sampleCone(uDirection, light.cosOuter);
       e.direction = frameAround(light.direction) * local;
-      e.flux = light.emission * (spotFalloff(light, local.z) * 2.0 * kPi * (1.0 - light.cosOuter));
+      e.flux = light.emission * (spotFalloff(light.cosInner, light.cosOuter, local.z) * 2.0 * kPi * (1.0 - light.cosOuter));
     } else {
       e.direction = sampleSphere(uDirection);
       e.flux = light.emission * (4.0 * kPi);

@@ -95,6 +95,16 @@ TEST_P(Irradiance, OfNarrowSpotLightIsItsIntensityOnTheAxis) {
   EXPECT_TRUE(isConstant(renderDirect(builder.finish()).image, 5.0 / 4 / kPi, 2e-3));
 }
 
+/// In its cone a spot light is chosen as often as a point light that brings as much, so that either choice gives the
+/// same light.
+TEST_P(Irradiance, OfSpotAndPointLightAlikeHasNoNoise) {
+  SceneBuilder builder = whitePlane(1e-4, {0, 0, 0});
+  builder.pointLight({1, 2, 0}, vec3(5.0f));
+  builder.spotLight({-1, 2, 0}, {1 / std::sqrt(5.0), -2 / std::sqrt(5.0), 0}, vec3(5.0f), 0.05, 0.1);
+  const double expected = 2 * 5 * (2 / std::sqrt(5.0)) / 5 / kPi;
+  EXPECT_TRUE(isConstant(renderDirect(builder.finish(), 2).image, expected, 1e-3));  // 0.3 mm beside the middle
+}
+
 TEST_P(Irradiance, OfDiscLightOnItsAxis) {
   constexpr double kHeight = 1.5, kRadius = 0.8;
   for (const int segments : {48, 128}) {  // lights weighed one by one; lights chosen by power
