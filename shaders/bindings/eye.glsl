@@ -138,7 +138,7 @@ bool scatterEye(uint slot, inout PathState path, Surface s, Bsdf b, mat3 frame, 
     path.distance = 0.0;
   }
   path.flags += 1u;
-  path.medium = mediumBehind(path.medium, s, sampled.isTransmission);
+  updateMedium(path, s, sampled.isTransmission);
   return (path.flags & kPathDepthMask) <= params.maxDepth && maxComponent(path.throughput) > 0.0;
 }
 

@@ -29,6 +29,7 @@ void main() {
   path.flags = 0u;
   path.id = id;
   path.medium = params.cameraMedium;
+  path.outerMedium = kNone;
   path.pdfSolidAngle = 0.0;
   path.lightWeight = 0.0;
   path.distance = 0.0;

@@ -39,7 +39,8 @@ void main() {
     return;
   }
 
-  const Surface s = loadSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction);
+  Surface s = loadSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction);
+  relateIndex(s, path);
   if (kHasMedia) path.throughput *= mediumTransmittance(path.medium, s, hit.t);
   path.distance += hit.t;
   if (kEyeMode != kEyeImportons) addEmission(slot, path, ray, hit, s);

@@ -37,7 +37,7 @@ bool scatter(Surface s, Bsdf b, mat3 frame, vec3 direction, inout PathState path
   const float survival = min(1.0, maxComponent(weight * path.throughput) / max(maxComponent(path.throughput), 1e-38));
   if (!(choice.y < survival)) return false;
   path.throughput *= weight / survival;
-  path.medium = mediumBehind(path.medium, s, next.isTransmission);
+  updateMedium(path, s, next.isTransmission);
   const bool isSpecular = next.isDelta || isFrosted(b);
   path.flags = (path.flags + 1u) | (isSpecular ? kPathSpecular : kPathScattered);
   if (!isSpecular) path.flags &= ~kPathSpecular;
@@ -56,7 +56,8 @@ void main() {
   if (ray.tMax <= 0.0 || hit.triangle == kNone) return;
 
   PathState path = paths[slot];
-  const Surface s = loadSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction);
+  Surface s = loadSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction);
+  relateIndex(s, path);
   if ((s.flags & kMaterialUnlit) != 0u) return;
   if (kHasMedia) path.throughput *= mediumTransmittance(path.medium, s, hit.t);
   const mat3 frame = frameAround(s.shadingNormal);

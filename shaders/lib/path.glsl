@@ -8,14 +8,41 @@
 /// inside a solid) learns it from the back face that it meets.
 vec3 mediumTransmittance(uint medium, Surface s, float t) {
   if (medium != kNone) return exp(-uintBitsToFloat(materialTexel(8u * medium + 3u)).rgb * t);
-  const bool leavesSolid = !s.isFront && (s.flags & kMaterialSolid) != 0u && s.transmission > 0.0;
-  return leavesSolid ? exp(-s.absorption * t) : vec3(1.0);
+  return !s.isFront && (s.flags & kMaterialSolid) != 0u && s.transmission > 0.0 ? exp(-s.absorption * t) : vec3(1.0);
 }
 
-/// The medium after an event at s.
-uint mediumBehind(uint medium, Surface s, bool isTransmission) {
-  if (!isTransmission || (s.flags & kMaterialSolid) == 0u) return medium;
-  return s.isFront ? s.material : kNone;
+bool isSolidInterface(Surface s) { return (s.flags & kMaterialSolid) != 0u && s.transmission > 0.0; }
+
+/// Index of refraction of the inside of a material's solid; kNone: air.
+float mediumIndex(uint medium) { return medium == kNone ? 1.0 : uintBitsToFloat(materialTexel(8u * medium + 4u).x); }
+
+// Nested dielectrics: where solids overlap, the one that the path entered last is there. So a liquid that reaches a
+// little into its glass, a glass ball in water and a bubble as a solid of air all come out right.
+
+/// Makes a solid's index relative to what is outside it. The surface of a solid that is not there does nothing.
+void relateIndex(inout Surface s, PathState path) {
+  if (!kHasTransmission || !isSolidInterface(s)) return;
+  if (s.isFront) {
+    s.ior /= mediumIndex(path.medium);
+  } else if (path.medium == s.material) {
+    s.ior /= mediumIndex(path.outerMedium);
+  } else if (path.medium != kNone) {
+    s.ior = 1.0;
+  }
+}
+
+/// The path's media after an event at s.
+void updateMedium(inout PathState path, Surface s, bool isTransmission) {
+  if (!isTransmission || !isSolidInterface(s)) return;
+  if (s.isFront) {
+    path.outerMedium = path.medium;
+    path.medium = s.material;
+  } else if (path.medium == s.material || path.medium == kNone) {
+    path.medium = path.outerMedium;
+    path.outerMedium = kNone;
+  } else if (path.outerMedium == s.material) {
+    path.outerMedium = kNone;
+  }
 }
 
 /// Start of the next ray: off the surface by its error bound, on the side of `direction`.

@@ -61,6 +61,7 @@ struct PathState {
   uint flags;          // see below
   uint id;             // eye: pixel; photon: index within the pass; importon: index
   uint medium;         // material index of the medium that the ray is in, kNone: none
+  uint outerMedium;    // the one around it: lib/path.glsl
   float pdfSolidAngle; // of the sampled direction, 1/sr; 0 after a specular event
   float lightWeight;   // sum of the light weights at the last vertex, for MIS
   float distance;      // m, length since the last non-specular vertex

@@ -39,7 +39,7 @@ std::vector<HostLayout> hostLayouts() {
                       fluxScale, lookupPhotons, quotaPhotons, photonsPerPass, samplesPerPass, densityScale,
                       cameraMedium, importonFlux, causticMap, globalMap),
       IMPORTON_LAYOUT(LightAlias, threshold, other, probability),
-      IMPORTON_LAYOUT(PathState, throughput, flags, id, medium, pdfSolidAngle, lightWeight, distance),
+      IMPORTON_LAYOUT(PathState, throughput, flags, id, medium, outerMedium, pdfSolidAngle, lightWeight, distance),
       IMPORTON_LAYOUT(PathLight, direct, caustic, indirect, modulation, position, normal, gathers),
       IMPORTON_LAYOUT(FilmPixel, direct, caustic, indirect, modulation, position, normal, gathers, square),
       IMPORTON_LAYOUT(EyeVertex, position, radius, throughput, triangle, direction, u, v),

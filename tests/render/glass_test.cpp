@@ -11,8 +11,10 @@ constexpr int kSize = 16;
 
 class Smooth : public RenderTest, public ::testing::WithParamInterface<Integrator> {
  protected:
-  [[nodiscard]] Image renderImage(const Scene& scene, int passes) const {
-    return renderScene(makeJob(GetParam(), passes), scene).image;
+  [[nodiscard]] Image renderImage(const Scene& scene, int paths) const {
+    RenderJob job = makeJob(GetParam(), 1);
+    job.gather = paths;  // per pixel
+    return renderScene(job, scene).image;
   }
 };
 
@@ -38,6 +40,49 @@ TEST_P(Smooth, SolidSlabPassesWhatFresnelLeaves) {
   SceneBuilder builder = brightWall();
   builder.box(builder.material(glass(1.5f)), {-2, -2, -0.5}, {2, 2, 0.5}, Facing::outside);
   EXPECT_TRUE(hasMean(momentsOf(valuesOf(renderImage(builder.finish(), 32))), kSlabTransmittance));
+}
+
+/// Share of light that passes a row of interfaces with these relative indices at normal incidence, all inner reflections
+/// counted: what they turn back, (1 - T) / T, adds up.
+double rowTransmittance(std::initializer_list<double> relativeIndices) {
+  double turnedBack = 0;
+  for (const double n : relativeIndices) {
+    const double reflectance = (n - 1) * (n - 1) / ((n + 1) * (n + 1));
+    turnedBack += reflectance / (1 - reflectance);
+  }
+  return 1 / (1 + turnedBack);
+}
+
+TEST_P(Smooth, SolidInSolidRefractsByTheRelativeIndex) {
+  for (const float inner : {2.0f, 1.5f, 1.0f}) {
+    SceneBuilder builder = brightWall();
+    builder.box(builder.material(glass(1.5f)), {-2, -2, -0.5}, {2, 2, 0.5}, Facing::outside);
+    builder.box(builder.material(glass(inner)), {-1, -1, -0.2}, {1, 1, 0.2}, Facing::outside);
+    const double relative = static_cast<double>(inner) / 1.5;
+    EXPECT_TRUE(hasMean(momentsOf(valuesOf(renderImage(builder.finish(), 32))),
+                        rowTransmittance({1.5, relative, relative, 1.5}), 3))
+        << inner;
+  }
+}
+
+TEST_P(Smooth, OverlappingSolidsMeetInOneInterface) {
+  SceneBuilder builder = brightWall();
+  builder.box(builder.material(glass(1.5f)), {-2, -2, -0.5}, {2, 2, 0.1}, Facing::outside);
+  builder.box(builder.material(glass(2.0f)), {-2, -2, 0}, {2, 2, 0.6}, Facing::outside);
+  EXPECT_TRUE(hasMean(momentsOf(valuesOf(renderImage(builder.finish(), 32))), rowTransmittance({2, 0.75, 1.5})));
+}
+
+/// From within the solid radiance is larger by the squared index; Beer's law takes its share.
+TEST_P(Smooth, CameraInsideGlassSeesThroughIt) {
+  SceneBuilder builder;
+  builder.square(builder.material(emitter(vec3(1.0f))), {0, 0, -2}, {0, 0, 1}, 4);
+  const double perMetre = 0.7;
+  builder.box(builder.material(glass(1.5f, vec3(static_cast<float>(perMetre)))), {-2, -2, -0.5}, {2, 2, 3}, Facing::outside);
+  builder.camera({0, 0, 1}, {0, 0, 0}, 0.02, kSize, kSize);
+  // Once through to the wall; of what it turns back, the far wall sends 0.04 through the solid again.
+  constexpr double kSquare = 1.5 * 1.5;
+  const double once = std::exp(-1.5 * perMetre), there = 0.04 * std::exp(-3.5 * perMetre);
+  EXPECT_TRUE(hasMean(momentsOf(valuesOf(renderImage(builder.finish(), 32))), kSquare * 0.96 * once / (1 - there * there)));
 }
 
 /// A right-angled prism: the camera looks through one leg at the hypotenuse, behind which all is bright.
