@@ -60,7 +60,7 @@ void addOutputOptions(CLI::App& app, RenderCommand& command) {
   app.add_option_function<std::string>(
          "--aov", [&job](const std::string& list) { job.aovs = splitNames(list, aovNames(), "--aov"); },
          "extra layers, comma separated (default: none), of\nalbedo N P depth direct caustic indirect emission "
-         "variance\n"
+         "variance error\n"
          "importance.caustic importance.global required.caustic\nrequired.global density.caustic "
          "density.global")
       ->type_name("LIST")

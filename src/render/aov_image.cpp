@@ -59,6 +59,7 @@ void addAovLayers(Image& image, std::span<const std::string> names, const FilmLa
     else if (name == "caustic") addColor(image, name, film.caustic);
     else if (name == "indirect") addColor(image, name, film.indirect);
     else if (name == "variance") addColor(image, name, film.variance);
+    else if (name == "error") addColor(image, name, film.error);
     else if (const auto it = sources().find(name); it != sources().end())
       addFromFloats(image, name, it->second, floats, worldFromRender);
     else throw std::logic_error("no layer '" + name + "'");

@@ -1,11 +1,10 @@
 #include "render/film.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 #include "base/error.h"
 #include "fmt/format.h"
+#include "render/error_estimate.h"
 #include "render/indirect_filter.h"
 
 namespace importon {
@@ -43,24 +42,6 @@ struct HalfMeans {
   std::vector<vec3> even, odd;
 };
 
-double estimateError(const HalfMeans& means) {
-  const std::size_t pixels = means.even.size();
-  glm::dvec3 sum(0);
-  for (std::size_t i = 0; i < pixels; ++i) sum += 0.5 * glm::dvec3(means.even[i] + means.odd[i]);
-  const double mean = (sum.x + sum.y + sum.z) / (3 * static_cast<double>(pixels));
-  std::vector<double> errors(pixels);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    const glm::dvec3 a(means.even[i]), b(means.odd[i]);
-    const glm::dvec3 middle = 0.5 * (a + b), half = 0.5 * (a - b);
-    const glm::dvec3 relative = half * half / (middle * middle + std::max(0.01 * mean * mean, 1e-300));
-    errors[i] = (relative.x + relative.y + relative.z) / 3;
-  }
-  const std::size_t kept = pixels - pixels / 1000;
-  std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(kept - 1), errors.end());
-  const double total = std::accumulate(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(kept), 0.0);
-  return std::sqrt(total / static_cast<double>(kept));
-}
-
 HalfMeans indirectMeans(std::span<const FilmPixel> halves, const FilmReading& reading, float perEven, float perOdd) {
   const std::size_t pixels = halves.size() / 2;
   if (reading.filtersIndirect && reading.passes >= 2) {
@@ -85,6 +66,7 @@ FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& rea
   const float scale = inverse(passes), perEven = inverse(evenPasses), perOdd = inverse(passes - evenPasses);
   const float evenShare = static_cast<float>(evenPasses) * scale;
   HalfMeans means = indirectMeans(halves, reading, perEven, perOdd);
+  HalfMeans raw{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
   FilmLayers layers;
   for (auto* layer : {&layers.total, &layers.direct, &layers.caustic, &layers.indirect, &layers.variance})
     layer->resize(pixels);
@@ -97,10 +79,16 @@ FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& rea
     const vec3 unfiltered = layers.direct[i] + layers.caustic[i] + (a.indirect + b.indirect) * scale;
     const vec3 spread = (a.square + b.square) * scale - unfiltered * unfiltered;
     layers.variance[i] = passes > 1 ? glm::max(spread, vec3(0)) / static_cast<float>(passes - 1) : vec3(0);
+    raw.even[i] = (a.direct + a.caustic + a.indirect) * perEven;
+    raw.odd[i] = (b.direct + b.caustic + b.indirect) * perOdd;
     means.even[i] += (a.direct + a.caustic) * perEven;
     means.odd[i] += (b.direct + b.caustic) * perOdd;
   }
-  if (reading.passes >= 2) layers.estimatedError = estimateError(means);
+  layers.error.resize(pixels);
+  if (reading.passes < 2) return layers;
+  ErrorEstimate estimate = estimateErrors({means.even, means.odd}, {raw.even, raw.odd}, reading.width);
+  layers.estimatedError = estimate.relative;
+  layers.error = std::move(estimate.perPixel);
   return layers;
 }
 

@@ -33,7 +33,8 @@ class Film {
 struct FilmLayers {
   std::vector<vec3> total, direct, caustic, indirect;
   std::vector<vec3> variance;        // of the mean, from the spread over passes, before any filter
-  double estimatedError = 0;         // relative, from the difference of the halves; 0 if there is no second half
+  std::vector<vec3> error;           // standard error expected: render/error_estimate.h; 0 if there is no second half
+  double estimatedError = 0;         // relative, the same of the whole image
 };
 
 /// How to read a film.
@@ -45,9 +46,7 @@ struct FilmReading {
   int threads = 0;
 };
 
-/// `halves` as Film::download gives them. The error is the square root of
-/// mean((A-B)²/4 / (I² + 0.01 mean(I)²)) over pixels and channels without the worst 0.1 % of pixels, A and B being
-/// the means of the halves and I theirs.
+/// `halves` as Film::download gives them.
 [[nodiscard]] FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& reading);
 
 }  // namespace importon

@@ -1,6 +1,7 @@
 #include "report/merge.h"
 
 #include <charconv>
+#include <cmath>
 #include <sstream>
 
 #include "base/error.h"
@@ -42,7 +43,13 @@ std::vector<std::uint64_t> seedsOf(const Image& image, const std::string& name) 
   return seeds;
 }
 
-bool isVariance(const std::string& channel) { return channel.starts_with("variance."); }
+/// How a layer is averaged.
+enum class Kind { mean, variance, error };
+
+Kind kindOf(const std::string& channel) {
+  if (channel.starts_with("variance.")) return Kind::variance;
+  return channel.starts_with("error.") ? Kind::error : Kind::mean;
+}
 
 }  // namespace
 
@@ -79,8 +86,12 @@ void ImageMerger::add(const Image& image, const std::string& name) {
   check(image, name);
   for (std::size_t c = 0; c < sums_.size(); ++c) {
     const Channel& channel = *image.find(first_.channels[c].name);
-    const double weight = isVariance(channel.name) ? passes * passes : passes;
-    for (std::size_t i = 0; i < sums_[c].size(); ++i) sums_[c][i] += weight * static_cast<double>(channel.values[i]);
+    const Kind kind = kindOf(channel.name);
+    const double weight = kind == Kind::mean ? passes : passes * passes;
+    for (std::size_t i = 0; i < sums_[c].size(); ++i) {
+      const auto value = static_cast<double>(channel.values[i]);
+      sums_[c][i] += weight * (kind == Kind::error ? value * value : value);
+    }
   }
   seeds_.insert(seeds.begin(), seeds.end());
   passes_ += passes;
@@ -90,9 +101,13 @@ Image ImageMerger::result() const {
   Image image = first_;
   for (std::size_t c = 0; c < sums_.size(); ++c) {
     Channel& channel = image.channels[c];
-    const double weight = isVariance(channel.name) ? passes_ * passes_ : passes_;
+    const Kind kind = kindOf(channel.name);
+    const double weight = kind == Kind::mean ? passes_ : passes_ * passes_;
     channel.values.reserve(sums_[c].size());
-    for (const double sum : sums_[c]) channel.values.push_back(static_cast<float>(sum / weight));
+    for (const double sum : sums_[c]) {
+      const double value = sum / weight;
+      channel.values.push_back(static_cast<float>(kind == Kind::error ? std::sqrt(value) : value));
+    }
   }
   image.attributes[kSeeds] = fmt::format("{}", fmt::join(seeds_, " "));
   image.attributes[kPasses] = fmt::format("{:.0f}", passes_);

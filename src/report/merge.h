@@ -17,8 +17,8 @@ class ImageMerger {
   /// not those of the images before, or where a seed is there already: its noise would count twice.
   void add(const Image& image, const std::string& name);
 
-  /// Every layer averaged with the passes as weights; `variance`, being that of a mean, with their squares. The
-  /// attributes are those of the first image, with all seeds and the sum of the passes.
+  /// Every layer averaged with the passes as weights; `variance`, being that of a mean, with their squares, and
+  /// `error` as its root. The attributes are those of the first image, with all seeds and the sum of the passes.
   [[nodiscard]] Image result() const;
 
  private:

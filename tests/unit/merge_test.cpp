@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "base/error.h"
 
 namespace importon {
@@ -9,7 +11,7 @@ namespace {
 
 /// Two pixels of one value in R, twice that in the variance.
 Image run(const std::string& seed, const std::string& passes, float value, const std::string& job = "a1") {
-  Image image{2, 1, {{"R", {value, value}}, {"variance.R", {2 * value, 2 * value}}}, {}};
+  Image image{2, 1, {{"R", {value, value}}, {"variance.R", {2 * value, 2 * value}}, {"error.R", {value, value}}}, {}};
   image.attributes = {{"importon:job", job}, {"importon:seed", seed}, {"importon:passes", passes},
                       {"importon:scene", "room.gltf"}};
   return image;
@@ -36,6 +38,7 @@ TEST(Merge, AveragesByPasses) {
   const Image image = merger.result();
   EXPECT_EQ(image.find("R")->values, (std::vector<float>{2, 2}));
   EXPECT_EQ(image.find("variance.R")->values, (std::vector<float>{1.75F, 1.75F}));
+  EXPECT_NEAR(image.find("error.R")->values[0], std::sqrt(9 * 1 + 25) / 4, 1e-6);
   EXPECT_EQ(image.attributes.at("importon:seed"), "0 1");
   EXPECT_EQ(image.attributes.at("importon:passes"), "4");
   EXPECT_EQ(image.attributes.at("importon:scene"), "room.gltf");
