@@ -37,6 +37,8 @@ Json mapJson(const PhotonMapStats& map) {
 Json errorJson(const ErrorStats& error) {
   Json known = Json::object();
   if (error.estimated) known["estimated"] = *error.estimated;
+  if (error.low) known["low"] = *error.low;
+  if (error.high) known["high"] = *error.high;
   if (error.relmse) known["relmse"] = *error.relmse;
   if (error.relmseTrimmed) known["relmse_trimmed"] = *error.relmseTrimmed;
   if (error.smape) known["smape"] = *error.smape;

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "fmt/format.h"
 #include "render/aov_image.h"
+#include "render/error_estimate.h"
 #include "render/features.h"
 #include "render/photon_pass.h"
 #include "shared/bindings.h"
@@ -183,7 +184,11 @@ FilmLayers RenderSession::readFilm(int passes) const {
 
 Image RenderSession::resolve(int passes) {
   const FilmLayers layers = readFilm(passes);
-  if (passes >= 2) stats_.error.estimated = layers.estimatedError;
+  if (passes >= 2) {
+    stats_.error.estimated = layers.estimatedError;
+    stats_.error.low = kBandLow * layers.estimatedError;
+    stats_.error.high = kBandHigh * layers.estimatedError;
+  }
   Image image;
   image.width = size_.x;
   image.height = size_.y;

@@ -40,6 +40,7 @@ struct ErrorPoint {
 struct ErrorStats {
   std::optional<double> estimated, relmse, relmseTrimmed, smape;
   std::vector<ErrorPoint> passes = {};  // where there is a reference
+  std::optional<double> low = {}, high = {};  // 90 % band of the true error
 };
 
 struct RenderStats {

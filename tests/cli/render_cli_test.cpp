@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -99,6 +100,21 @@ TEST(CliRender, MeasuresTheErrorAfterEachPass) {
     EXPECT_EQ(json["error"][metric], expected[metric]) << metric;
     EXPECT_EQ(points[2][metric], expected[metric]) << metric;
   }
+}
+
+TEST(CliRender, KeepsATimeBudget) {
+  const TemporaryFolder folder;
+  const auto start = std::chrono::steady_clock::now();
+  ASSERT_EQ(runImporton(smallRender(folder / "o.exr", {"--time", "4", "--photons", "4096", "--stats",
+                                                       folder / "o.json"}))
+                .status,
+            0);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  EXPECT_NEAR(seconds, 4, 1);
+  const auto json = nlohmann::json::parse(readFile(folder / "o.json"));
+  EXPECT_GT(json["image"]["passes"], 1);
+  EXPECT_LT(json["error"]["low"], json["error"]["estimated"]);
+  EXPECT_GT(json["error"]["high"], json["error"]["estimated"]);
 }
 
 TEST(CliRender, RefusesAReferenceOfAnotherSize) {
