@@ -82,13 +82,13 @@ std::vector<CurvePoint> curveOf(const ConvergeRun& run) {
   return curve;
 }
 
-/// A quarter, half and all of the way from the first to the last error of the first configuration, in logarithms.
+/// A quarter, half and three quarters of the way from the first to the last error of the first configuration, in logarithms.
 std::vector<double> levelsOf(const ConvergeReport& report) {
   if (report.results.empty() || report.results.front().summaries.empty()) return {};
   const auto& summaries = report.results.front().summaries;
   const double first = summaries.front().error.mean, last = summaries.back().error.mean;
   std::vector<double> levels;
-  for (const double share : {0.25, 0.5, 1.0}) levels.push_back(first * std::pow(last / first, share));
+  for (const double share : {0.25, 0.5, 0.75}) levels.push_back(first * std::pow(last / first, share));
   return levels;
 }
 

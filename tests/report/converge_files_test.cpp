@@ -16,13 +16,13 @@ using test::greyRow;
 using test::sampleReport;
 using test::sampleTitle;
 
-// The first curve falls from 0.16 to 0.01: a quarter, half and all of the way in logarithms.
+// The first curve falls from 0.16 to 0.01: a quarter, half and three quarters of the way in logarithms.
 TEST(Converge, SetsLevelsByTheFirstConfiguration) {
   const ConvergeReport report = sampleReport();
   ASSERT_EQ(report.levels.size(), 3u);
   EXPECT_NEAR(report.levels[0], 0.08, 1e-12);
   EXPECT_NEAR(report.levels[1], 0.04, 1e-12);
-  EXPECT_NEAR(report.levels[2], 0.01, 1e-12);
+  EXPECT_NEAR(report.levels[2], 0.02, 1e-12);
 }
 
 // The second curve, four times as high, needs twice the time, and does not get to the last level.
@@ -30,7 +30,7 @@ TEST(Converge, FindsTheTimeToEqualError) {
   const ConvergeReport report = sampleReport();
   const auto& slow = report.results[1].timeToError;
   EXPECT_NEAR(report.results[0].timeToError[0]->mean, std::sqrt(2.0), 1e-9);
-  EXPECT_NEAR(report.results[0].timeToError[2]->mean, 4, 1e-9);
+  EXPECT_NEAR(report.results[0].timeToError[2]->mean, 2 * std::sqrt(2.0), 1e-9);
   EXPECT_NEAR(slow[0]->mean, 2 * std::sqrt(2.0), 1e-9);
   EXPECT_NEAR(slow[1]->mean, 4, 1e-9);
   EXPECT_FALSE(slow[2]);
