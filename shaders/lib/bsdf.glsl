@@ -16,6 +16,7 @@ struct Bsdf {
   vec3 diffuse;       // albedo of the base times its share
   float coverF0;      // interface over the base
   float coverF90;
+  float coverMissed;  // of light that the interface scatters more than once, the share that it turns back
   float coverPassed;  // share of light along wo that passes it, over the mean of all directions
   vec3 f0;            // of metal and interface, times their shares
   float f90;
@@ -87,8 +88,7 @@ float layerReflectance(float f0, float f90, float missed, vec2 albedo) {
 
 float coverReflectance(Bsdf b, float cosine, vec2 albedo) {
   if (b.isSmooth) return fresnelSchlick(vec3(b.coverF0), b.coverF90, cosine).x;
-  const float missed = multipleReflectance(meanSchlick(vec3(b.coverF0), b.coverF90), ggxMeanAlbedo(b.alpha).x).x;
-  return layerReflectance(b.coverF0, b.coverF90, missed, albedo);
+  return layerReflectance(b.coverF0, b.coverF90, b.coverMissed, albedo);
 }
 
 const float kCoatF0 = 0.04;  // KHR_materials_clearcoat
@@ -190,7 +190,8 @@ Bsdf makeBsdf(Surface s, float cosOut) {
     albedoOut = ggxAlbedo(cosOut, b.alpha);
     addMissed(b, s.baseColor, metal, s.f0, opaque, albedoOut, cosOut);
     const vec2 albedo = ggxMeanAlbedo(b.alpha);
-    coverMean = layerReflectance(b.coverF0, b.coverF90, multipleReflectance(vec3(coverMean), albedo.x).x, albedo);
+    b.coverMissed = multipleReflectance(vec3(coverMean), albedo.x).x;
+    coverMean = layerReflectance(b.coverF0, b.coverF90, b.coverMissed, albedo);
   }
   b.coverPassed = (1.0 - coverReflectance(b, cosOut, albedoOut)) / max(1.0 - coverMean, 1e-3);
   if (kHasClearcoat && s.coat > 0.0) addCoat(b, s, cosOut);
@@ -213,29 +214,28 @@ bool hasRoughLobe(Bsdf b) {
   return kHasClearcoat && b.pCoat > 0.0 && !b.isCoatSmooth;
 }
 
-/// Cosine lobe on the ray's side, times cosine: the base, and light scattered more than once. The base is Lambertian
-/// under the interface, which light passes on the way in and on the way out; what the interface turns back below
-/// stays until it leaves. So a white base loses nothing, and gains nothing. [Kelemen and Szirmay-Kalos 2001]
-vec3 evalCosine(Bsdf b, vec3 wi) {
-  if (!kHasReflection) return b.diffuse * (wi.z / kPi);
-  vec2 albedo = vec2(0.0);
-  if (!b.isSmooth) albedo = ggxAlbedo(wi.z, b.alpha);
-  vec3 f = b.diffuse * (b.coverPassed * (1.0 - coverReflectance(b, wi.z, albedo)));
-  if (!b.isSmooth) {
-    f += b.missed * (b.missOut * (1.0 - albedo.x));
-    if (kHasTransmission && b.clear > 0.0) {
-      const float missed = b.isThin ? 1.0 - albedo.x : 1.0 - glassAlbedo(wi.z, b.alpha, b.eta);
-      f += vec3(b.clear * b.clearMissBack * b.clearMissOut * missed / max(b.clearMissMean.x, 1e-6));
-    }
-  }
-  return f * (wi.z / kPi);
+/// Light that a rough clear dielectric scatters more than once, over its cosine, on the side of wi.
+/// `missedIn`: share that GGX reflection misses along wi.
+vec3 evalClearMissed(Bsdf b, float cosine, float missedIn) {
+  const bool isBack = cosine > 0.0;
+  const float missed = b.isThin ? missedIn : 1.0 - glassAlbedo(abs(cosine), b.alpha, isBack ? b.eta : 1.0 / b.eta);
+  const float share = missed * b.clear * b.clearMissOut;
+  return isBack ? vec3(share * b.clearMissBack / max(b.clearMissMean.x, 1e-6))
+                : b.tint * (share * (1.0 - b.clearMissBack) / max(b.clearMissMean.y, 1e-6));
 }
 
-/// Cosine lobe on the other side, times cosine: light that a rough clear dielectric scatters more than once.
-vec3 evalBelow(Bsdf b, vec3 wi) {
-  const float missed = b.isThin ? 1.0 - ggxAlbedo(-wi.z, b.alpha).x : 1.0 - glassAlbedo(-wi.z, b.alpha, 1.0 / b.eta);
-  return b.tint * (b.clear * (1.0 - b.clearMissBack) * b.clearMissOut * missed / max(b.clearMissMean.y, 1e-6) *
-                   (-wi.z / kPi));
+/// Cosine lobes, times cosine: the base on the ray's side, and light scattered more than once on both. The base is
+/// Lambertian under the interface, which light passes on the way in and on the way out; what the interface turns back
+/// below stays until it leaves. So a white base loses nothing, and gains nothing. [Kelemen and Szirmay-Kalos 2001]
+vec3 evalCosine(Bsdf b, vec3 wi) {
+  if (!kHasReflection) return b.diffuse * (wi.z / kPi);
+  vec2 albedo = vec2(1.0, 0.0);
+  if (!b.isSmooth) albedo = ggxAlbedo(abs(wi.z), b.alpha);
+  vec3 f = vec3(0.0);
+  if (wi.z > 0.0)
+    f = b.diffuse * (b.coverPassed * (1.0 - coverReflectance(b, wi.z, albedo))) + b.missed * (b.missOut * (1.0 - albedo.x));
+  if (kHasTransmission && b.clear > 0.0 && !b.isSmooth) f += evalClearMissed(b, wi.z, 1.0 - albedo.x);
+  return f * (abs(wi.z) / kPi);
 }
 
 /// Microfacet reflection times cosine. [Walter et al. 2007, eq. 20]
@@ -297,19 +297,17 @@ vec3 evalBsdf(Bsdf b, vec3 wo, vec3 wi, out float pdf) {
   vec3 f = vec3(0.0);
   pdf = 0.0;
   if (wo.z <= 0.0) return f;
+  const bool isBelow = wi.z <= 0.0;
+  if (isBelow && (!kHasTransmission || b.isSmooth || b.clear <= 0.0 || wi.z == 0.0)) return f;
+  const float pCosine = isBelow ? b.pBelow : b.pCosine;
+  if (pCosine > 0.0) {
+    f = evalCosine(b, wi);
+    pdf = pCosine * abs(wi.z) / kPi;
+  }
   float lobePdf;
-  if (wi.z > 0.0) {
-    if (b.pCosine > 0.0) {
-      f = evalCosine(b, wi);
-      pdf = b.pCosine * wi.z / kPi;
-    }
-    if (kHasReflection && !b.isSmooth) {
-      f += evalReflection(b, wo, wi, lobePdf);
-      pdf += b.pInterface * lobePdf;
-    }
-  } else if (kHasTransmission && !b.isSmooth && b.clear > 0.0 && wi.z < 0.0) {
-    f = evalTransmission(b, wo, wi, lobePdf) + evalBelow(b, wi);
-    pdf = b.pInterface * lobePdf - b.pBelow * wi.z / kPi;
+  if (kHasReflection && !b.isSmooth) {
+    f += isBelow ? evalTransmission(b, wo, wi, lobePdf) : evalReflection(b, wo, wi, lobePdf);
+    pdf += b.pInterface * lobePdf;
   }
   if (kHasClearcoat && b.coat > 0.0) {
     f *= coatPassed(b, wi);
