@@ -60,14 +60,11 @@ float lightWeight(uint index, vec3 x) {
   return power / (kPi * max(d2, uintBitsToFloat(t2.w)));
 }
 
-/// Chooses a light for x; `weightSum` is what lightProbability needs to know of the choice.
-uint chooseLight(uint count, vec3 x, float u, out float probability, out float weightSum) {
-  probability = 0.0;
-  weightSum = 0.0;
-  if (count > kLinearLights) return chooseFromTree(x, u, probability);
+/// Chooses one of the weighed lights; sums their weights.
+uint chooseByWeight(uint count, vec3 x, float u, out float weightSum) {
   // One pass: each light replaces the choice so far with its share of the sum so far; u is used up bit by bit.
+  weightSum = 0.0;
   uint chosen = kNone;
-  float chosenWeight = 0.0;
   for (uint i = 0u; i < count; ++i) {
     const float w = lightWeight(i, x);
     if (w <= 0.0) continue;
@@ -76,19 +73,38 @@ uint chooseLight(uint count, vec3 x, float u, out float probability, out float w
     if (u < share || chosen == kNone) {
       u = chosen == kNone ? u : u / share;
       chosen = i;
-      chosenWeight = w;
     } else {
       u = (u - share) / (1.0 - share);
     }
   }
-  probability = weightSum > 0.0 ? chosenWeight / weightSum : 0.0;
   return chosen;
 }
 
-/// Probability with which chooseLight took `index` at x.
+// Share of choices that take every light alike: a strong light may be hidden where a weak one is all there is.
+const float kDefensiveShare = 0.1;
+
+/// Probability with which chooseLight takes `index` at x; of lights that bring nothing there, anything.
 float lightProbability(uint count, uint index, vec3 x, float weightSum) {
-  if (count > kLinearLights) return treeProbability(count, index, x);
-  return weightSum > 0.0 ? lightWeight(index, x) / weightSum : 0.0;
+  float byWeight = 0.0;
+  if (count > kLinearLights) byWeight = treeProbability(count, index, x);
+  else if (weightSum > 0.0) byWeight = lightWeight(index, x) / weightSum;
+  return mix(byWeight, 1.0 / float(count), kDefensiveShare);
+}
+
+/// Chooses a light for x; `weightSum` is what lightProbability needs to know of the choice. kNone: none brings light.
+uint chooseLight(uint count, vec3 x, float u, out float probability, out float weightSum) {
+  probability = weightSum = 0.0;
+  if (count == 0u) return kNone;
+  const bool isDefensive = u < kDefensiveShare;
+  const float rest = isDefensive ? u / kDefensiveShare : (u - kDefensiveShare) / (1.0 - kDefensiveShare);
+  uint chosen;
+  float unused;
+  if (count > kLinearLights) chosen = isDefensive ? 0u : chooseFromTree(x, rest, unused);
+  else chosen = chooseByWeight(count, x, rest, weightSum);
+  if (chosen == kNone) return kNone;
+  if (isDefensive) chosen = min(uint(rest * float(count)), count - 1u);
+  probability = lightProbability(count, chosen, x, weightSum);
+  return chosen;
 }
 
 struct TrianglePoint {
