@@ -1,0 +1,67 @@
+// Photons against paths from the eye: the same light, through glass, over textures and normal maps.
+#include "render_helper.h"
+#include "scene/packing.h"
+
+namespace importon::test {
+namespace {
+
+constexpr int kSize = 8;
+
+class Adjoint : public RenderTest {};
+
+/// Adds a texture of 2 x 2 texels, RGBA8, that repeats `repeats` times over its UV set.
+uint addTexture(Scene& scene, const std::vector<uint>& texels, bool isSrgb, float repeats) {
+  Texture texture{};
+  texture.firstTexel = static_cast<uint>(scene.texels.size());
+  texture.width = texture.height = 2;
+  texture.isSrgb = isSrgb ? 1 : 0;
+  texture.uvRow0 = vec3(repeats, 0, 0);
+  texture.uvRow1 = vec3(0, repeats, 0);
+  scene.texels.insert(scene.texels.end(), texels.begin(), texels.end());
+  scene.textures.push_back(texture);
+  return static_cast<uint>(scene.textures.size() - 1);
+}
+
+/// Gives all surfaces of a material a base colour texture and normals that lean over by up to 20 degrees.
+void addRelief(Scene& scene, uint material, const glm::dvec3& normal) {
+  glm::dvec3 tangent, bitangent;
+  tangentFrame(normal, tangent, bitangent);
+  scene.materials[material].baseColorTexture = addTexture(scene, {0xFFFFFFFFu, 0xFF8080C0u, 0xFF80C080u, 0xFFC0C0C0u}, true, 7);
+  scene.materials[material].normalTexture = addTexture(scene, {0xFFF080A8u, 0xFFF08058u, 0xFFF0A880u, 0xFFF05880u}, false, 11);
+  for (const Triangle& t : scene.triangles) {
+    if (t.material != material) continue;
+    for (const uint vertex : {t.v0, t.v1, t.v2}) scene.vertices[vertex].tangent = packTangent(tangent, false);
+  }
+}
+
+/// A floor and a wall in relief, under a light that shines on them through a ball of glass and beside it.
+Scene reliefUnderGlass() {
+  SceneBuilder builder;
+  const uint floor = builder.material(diffuse(vec3(0.8f))), wall = builder.material(diffuse(vec3(0.8f)));
+  builder.square(floor, {0, 0, 0}, {0, 1, 0}, 6);
+  builder.square(wall, {0, 2, -1.5}, {0, 0, 1}, 6);
+  builder.icosphere(builder.material(glass(1.5f)), {0, 1, 0}, 0.7, 3, Facing::outside, Shading::smooth);
+  builder.square(builder.material(emitter(vec3(5.0f))), {0.3, 3, -0.4}, {0, -1, 0}, 1.5);
+  builder.camera({0, 1.2, 4}, {0, 0.5, 0}, 0.6, kSize, kSize);
+  Scene scene = builder.finish();
+  addRelief(scene, floor, {0, 1, 0});
+  addRelief(scene, wall, {0, 0, 1});
+  return scene;
+}
+
+/// Case 7.
+TEST_F(Adjoint, PhotonsBringWhatPathsFindThroughGlassOverTexturesAndNormalMaps) {
+  const Scene scene = reliefUnderGlass();
+  RenderJob path = makeJob(Integrator::path, 1);
+  path.gather = 128;
+  RenderJob photon = makeJob(Integrator::photon, 4);
+  photon.photons = 1u << 14;
+  photon.constantDensity = 4000;
+  path.maxDepth = photon.maxDepth = 8;
+  const Moments traced = meanOverSeeds(path, scene, 5), mapped = meanOverSeeds(photon, scene, 5);
+  EXPECT_GT(traced.mean(), 0);
+  EXPECT_TRUE(haveSameMean(traced, mapped));
+}
+
+}  // namespace
+}  // namespace importon::test
