@@ -58,7 +58,9 @@ void main() {
       writeImporton(counters[kCounterRecords] + i, s, ray, path, reads);
     } else {
       if (reads || (kHasCausticMap && kEyeMode == kEyeImage)) askForLookup(slot, s, ray, hit, path, reads, radius);
-      if (!reads) sampleDirectLight(slot, path, s, b, frame, ray);
+      // At its last vertex a path in the path tracer takes no more light: that would be an event too many.
+      const bool isLast = kEyeMode == kEyePath && (path.flags & kPathDepthMask) >= params.maxDepth;
+      if (!reads && !isLast) sampleDirectLight(slot, path, s, b, frame, ray);
     }
   } else if (isSpecular && kEyeMode == kEyeImage && (path.flags & kPathScattered) == 0u) {
     sampleDirectLight(slot, path, s, b, frame, ray);

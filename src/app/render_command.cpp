@@ -35,7 +35,6 @@ void warnOfUnusedOptions(const RenderJob& job, Log& log) {
   };
   warnIf(job.photons.has_value(), "--photons");
   warnIf(job.importons.has_value(), "--importons");
-  warnIf(job.gather.has_value(), "--gather");
   warnIf(job.constantDensity.has_value(), "--constant-density");
 }
 

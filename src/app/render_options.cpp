@@ -144,7 +144,7 @@ void addMethodOptions(CLI::App& app, RenderJob& job) {
       ->check(wholeNumber(1, kMostPaths, "importons"))
       ->type_name("N")
       ->group(group);
-  app.add_option("--gather", job.gather, "final gather rays per pixel and pass (default: automatic)")
+  app.add_option("--gather", job.gather, "final gather rays, or paths of the path tracer, per pixel and\npass (default: automatic)")
       ->check(wholeNumber(1, kMostGatherRays, "rays"))
       ->type_name("N")
       ->group(group);

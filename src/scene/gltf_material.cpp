@@ -170,6 +170,10 @@ MaterialSet readMaterials(const GltfDocument& document, const std::vector<bool>&
     if (!isUsed[i]) continue;
     set.materialOfFile[i] = static_cast<uint>(set.materials.size());
     MaterialReader reader(element(materials, i), fmt::format("/materials/{}", i), textures);
+    if (member(element(materials, i), "extensions", "KHR_materials_clearcoat").contains("clearcoatNormalTexture")) {
+      log.warn("clear coat normal map", fmt::format("{}: passed over: a coat has the normals of what it covers",
+                                                    document.source.at(fmt::format("/materials/{}", i))));
+    }
     set.materials.push_back(reader.read(document.source));
     set.names.push_back(stringOr(element(materials, i), "name", ""));
   }

@@ -37,6 +37,15 @@ TEST(Material, DefaultsAreThoseOfGltf) {
   }
 }
 
+TEST(Material, WarnsOfNormalMapsOfCoats) {
+  GltfBuilder builder = GltfBuilder::emissiveTriangle();
+  builder.json["materials"][0]["extensions"]["KHR_materials_clearcoat"] = {{"clearcoatFactor", 1},
+                                                                           {"clearcoatNormalTexture", {{"index", 0}}}};
+  const std::vector<Warning> warnings = warningsOf(builder);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].message.find("/materials/0"), std::string::npos) << warnings[0].message;
+}
+
 TEST(Material, ReadsMetallicRoughness) {
   const Material material = materialWith([](Json& json) {
     json["pbrMetallicRoughness"] = {

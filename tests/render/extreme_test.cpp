@@ -58,6 +58,20 @@ TEST_F(Extreme, OnePassSeesTheSky) {
   }
 }
 
+/// Case 41: a camera that stands exactly on a floor, or on a wall of glass.
+TEST_F(Extreme, CameraOnASurfaceGivesAFiniteImage) {
+  for (const Integrator integrator : {Integrator::path, Integrator::photon}) {
+    SceneBuilder onFloor;
+    onFloor.square(onFloor.material(diffuse(vec3(0.5f))), {0, 0, 0}, {0, 1, 0}, 4);
+    onFloor.square(onFloor.material(emitter(vec3(2.0f))), {0, 2, 0}, {0, -1, 0}, 1);
+    onFloor.camera({0, 0, 0}, {0, 1, 0.01}, 2.0, kSize, kSize);
+    EXPECT_TRUE(isSane(renderScene(makeJob(integrator, 1), onFloor.finish()).image));
+    SceneBuilder onGlass = litFloor();
+    onGlass.box(onGlass.material(glass(1.5f)), {-0.5, 1, 1.5}, {0.5, 2, 2}, Facing::outside);  // its front meets the camera
+    EXPECT_TRUE(isSane(renderScene(makeJob(integrator, 1), onGlass.finish()).image));
+  }
+}
+
 TEST_F(Extreme, EmitterThatFillsTheViewIsItsRadiance) {
   SceneBuilder builder = litFloor();
   builder.square(builder.material(emitter(vec3(7.0f))), {0, 1.2, 1.2}, {0, 1, 1}, 2);

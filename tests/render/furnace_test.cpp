@@ -54,6 +54,19 @@ TEST_F(Furnace, PathTracedSphereIsUniform) {
   }
 }
 
+/// Case 2: what is cut off is the rest of the series, albedo^(depth + 1) of all.
+TEST_F(Furnace, DepthCapLosesTheRestOfTheSeries) {
+  constexpr double kAlbedo = 0.999;
+  RenderJob job = makeJob(Integrator::path, 1);
+  for (const int depth : {1, 5, 30}) {
+    job.maxDepth = depth;
+    job.gather = 16;
+    const Image image = renderScene(job, glowingBox(static_cast<float>(kAlbedo))).image;
+    const double expected = (1 - std::pow(kAlbedo, depth + 1)) / (1 - kAlbedo);
+    EXPECT_TRUE(hasMean(momentsOf(valuesOf(image)), expected, 3)) << depth;
+  }
+}
+
 TEST_F(Furnace, PhotonMappedSphereIsUniform) {
   for (const float albedo : {0.5f, 0.8f}) {
     const Moments means = meanOverSeeds(deepJob(Integrator::photon, 2, albedo), glowingSphere(albedo), 4);

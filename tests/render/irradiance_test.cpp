@@ -124,6 +124,29 @@ TEST_P(Irradiance, OfDiscLightOnItsAxis) {
   }
 }
 
+/// Case 20: light and camera nearly along the plane, a tenth of a degree over it.
+TEST_P(Irradiance, OfGrazingLightSeenGrazinglyGoesWithTheCosine) {
+  const double cosine = std::sin(0.1 * kPi / 180), sine = std::sqrt(1 - cosine * cosine);
+  SceneBuilder builder;
+  builder.square(builder.material(diffuse(vec3(1.0f))), {0, 0, 0}, {0, 1, 0}, 80);
+  builder.directionalLight({sine, -cosine, 0}, vec3(1000.0f));
+  builder.camera({0, 10 * cosine, 10 * sine}, {0, 0, 0}, 1e-4, kSize, kSize);
+  // Float rounding of the light's direction: 6e-8 of its cosine of 1.7e-3.
+  EXPECT_TRUE(isConstant(renderDirect(builder.finish(), 1).image, 1000 * cosine / kPi, 2e-4));
+}
+
+/// Case 42: a light of 1e-12 m² is a point, over which its cosine to the plane comes in twice.
+TEST_P(Irradiance, OfTinyAreaLightIsThatOfAPoint) {
+  constexpr double kHeight = 1.5, kArea = 1e-12, kRadiance = 1e12;
+  SceneBuilder builder = whitePlane();
+  builder.square(builder.material(emitter(vec3(static_cast<float>(kRadiance)))), {0, kHeight, 0}, {0, -1, 0}, std::sqrt(kArea));
+  const Scene scene = builder.finish();
+  EXPECT_TRUE(isImageOf(renderDirect(scene, 2).image, imageOf(scene, [](const glm::dvec3& p) {
+                          const double d2 = kHeight * kHeight + p.x * p.x + p.z * p.z;
+                          return kRadiance * kArea * kHeight * kHeight / (d2 * d2);
+                        })));
+}
+
 TEST_P(Irradiance, OfUniformEnvironmentIsPiTimesItsRadiance) {
   SceneBuilder builder = whitePlane();
   builder.environment(vec3(0.7f));

@@ -111,7 +111,8 @@ TEST_P(PathClasses, MapAndPathTracerAgree) {
   SceneBuilder builder;
   GetParam().build(builder);
   const Scene scene = builder.finish();
-  RenderJob path = makeJob(Integrator::path, 128);
+  RenderJob path = makeJob(Integrator::path, 1);
+  path.gather = 128;  // paths per pixel
   path.maxDepth = GetParam().maxDepth;
   RenderJob photon = makeJob(Integrator::photon, 6);
   photon.maxDepth = GetParam().maxDepth;
