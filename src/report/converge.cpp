@@ -25,6 +25,7 @@ class Watch {
   void afterPass(const RenderProgress& progress) {
     const double passSeconds = progress.seconds - lastSeconds_;
     lastSeconds_ = progress.seconds;
+    lastPass_ = progress.pass;
     if (next_ < plan_.budgets.size() && progress.seconds > plan_.budgets[next_]) keep();
     while (next_ < plan_.budgets.size() && progress.seconds > plan_.budgets[next_]) ++next_;
     if (next_ == plan_.budgets.size()) return;
@@ -32,8 +33,11 @@ class Watch {
     if (progress.seconds + kCaution * passSeconds > plan_.budgets[next_]) measure(progress);
   }
 
-  /// What was measured; to be called once, at the end.
-  [[nodiscard]] std::vector<std::pair<ConvergePoint, Image>> take() {
+  /// What was measured; to be called once, with the result: a last pass that came sooner than expected is in it.
+  [[nodiscard]] std::vector<std::pair<ConvergePoint, Image>> take(const RenderResult& result) {
+    const bool isMissing = !last_ || last_->first.passes < lastPass_;
+    if (next_ < plan_.budgets.size() && isMissing && !result.wasInterrupted)
+      enter(result.image, result.stats, lastPass_, lastSeconds_);
     keep();
     return std::move(kept_);
   }
@@ -42,12 +46,15 @@ class Watch {
   void measure(const RenderProgress& progress) {
     const Clock::time_point start = Clock::now();
     Image image = progress.image();
+    enter(std::move(image), *progress.stats, progress.pass, progress.seconds + secondsSince(start));
+  }
+  void enter(Image image, const RenderStats& stats, int passes, double seconds) {
     ConvergePoint point;
     point.budget = plan_.budgets[next_];
-    point.seconds = progress.seconds + secondsSince(start);
-    point.passes = progress.pass;
-    point.photonsEmitted = progress.stats->photonsEmitted;
-    point.photonsStored = storedOf(*progress.stats);
+    point.seconds = seconds;
+    point.passes = passes;
+    point.photonsEmitted = stats.photonsEmitted;
+    point.photonsStored = storedOf(stats);
     point.errors = compareValues(image, "the image", reference_, referenceName_);
     last_.emplace(point, std::move(image));
   }
@@ -63,6 +70,7 @@ class Watch {
   std::vector<std::pair<ConvergePoint, Image>> kept_;
   std::size_t next_ = 0;  // budget
   double lastSeconds_ = 0;
+  int lastPass_ = 0;
 };
 
 /// Seconds and errors of the points for one budget.
@@ -103,9 +111,9 @@ std::optional<Interval> timeTo(double level, const std::vector<ConvergeRun>& run
   return logIntervalOf(times);
 }
 
-/// Renders one seed, and adds its images to those of the other seeds.
-ConvergeRun runOnce(const ConvergePlan& plan, const ConvergeConfig& config, std::uint32_t seed, const Scene& scene,
-                    Watch& watch, Log& log, const std::atomic<bool>& isInterrupted, ConvergeReport& report) {
+/// Renders one seed, watched.
+RenderResult runOnce(const ConvergePlan& plan, const ConvergeConfig& config, std::uint32_t seed, const Scene& scene,
+                     Watch& watch, Log& log, const std::atomic<bool>& isInterrupted) {
   RenderJob job = config.job;
   job.seed = seed;
   job.seconds = plan.budgets.back();
@@ -113,11 +121,8 @@ ConvergeRun runOnce(const ConvergePlan& plan, const ConvergeConfig& config, std:
   job.error.reset();
   const auto start =
       Clock::now() - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(plan.loadSeconds));
-  const RenderResult run = render(
+  return render(
       job, scene, log, isInterrupted, [&](const RenderProgress& progress) { watch.afterPass(progress); }, start);
-  report.deviceName = run.stats.deviceName;
-  report.deviceDriver = run.stats.deviceDriver;
-  return {seed, {}, run.stats.devicePeakBytes, run.stats.photonMapBytes};
 }
 
 }  // namespace
@@ -146,9 +151,12 @@ ConvergeReport converge(const ConvergePlan& plan, const Scene& scene, const Imag
     for (int seed = 1; seed <= plan.seeds && !isInterrupted; ++seed) {
       tell(fmt::format("{}, seed {} of {}", config.name, seed, plan.seeds));
       Watch watch(plan, reference, referenceName);
-      ConvergeRun run =
-          runOnce(plan, config, static_cast<std::uint32_t>(seed), scene, watch, log, isInterrupted, report);
-      for (auto& [point, image] : watch.take()) {
+      const auto number = static_cast<std::uint32_t>(seed);
+      const RenderResult rendered = runOnce(plan, config, number, scene, watch, log, isInterrupted);
+      report.deviceName = rendered.stats.deviceName;
+      report.deviceDriver = rendered.stats.deviceDriver;
+      ConvergeRun run{number, {}, rendered.stats.devicePeakBytes, rendered.stats.photonMapBytes};
+      for (auto& [point, image] : watch.take(rendered)) {
         run.points.push_back(point);
         splits[point.budget].add(image);
         if (seed == 1) result.image = std::move(image);
