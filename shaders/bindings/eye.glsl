@@ -26,7 +26,7 @@ bool isLeftToMaps(PathState path) {
 bool isSpecularForMaps(Bsdf b) { return kEyeMode != kEyePath && isFrosted(b); }
 
 void addEnvironment(uint slot, PathState path, Ray ray) {
-  if (isLeftToMaps(path)) return;
+  if (isLeftToMaps(path) || params.environmentLight == kNone) return;
   float weight = 1.0;
   if (path.pdfSolidAngle > 0.0) {
     const float chosen = lightProbability(params.lightCount, params.environmentLight, ray.origin, path.lightWeight);

@@ -68,7 +68,7 @@ FeatureSet findFeatures(const Scene& scene, const RenderJob& job) {
   f.hasVertexColors = hasAnyColor(scene);
   f.needsGlobalMap = true;
   if (job.forcesAllFeatures) {
-    f = {true, true, true, true, true, true, true, true, true, true, f.hasEnvironment, 0, true, true};
+    f = {true, true, true, true, true, true, true, true, true, true, true, 0, true, true};
   }
   f.pixelFilter = static_cast<uint>(job.filter);
   if (job.integrator == Integrator::path) f.needsCausticMap = f.needsGlobalMap = false;
