@@ -78,12 +78,10 @@ Ray shadowRay(Surface s, LightSample l, uint id) {
 void sampleDirectLight(uint slot, inout PathState path, Surface s, Bsdf b, mat3 frame, Ray ray) {
   const uint stream = eyeStream(path.id), index = eyeIndex(path.id);
   float probability;
-  const uint light = chooseLight(params.lightCount, s.position,
-                                 sequencePoint(stream, index, eventPair(path.flags, kPairLight)).x, probability,
-                                 path.lightWeight);
+  vec2 u = sequencePoint(stream, index, eventPair(path.flags, kPairLight));
+  const uint light = chooseLight(params.lightCount, s.position, u.x, probability, path.lightWeight);
   if (light == kNone) return;
-  const LightSample l = sampleLight(light, probability, s.position,
-                                    sequencePoint(stream, index, eventPair(path.flags, kPairLightPoint)));
+  const LightSample l = sampleLight(light, probability, s.position, min(u, vec2(0.99999994)));
   const bool isAcross = dot(l.direction, s.geometricNormal) <= 0.0;
   const vec3 wi = l.direction * frame;
   if (isAcross != (wi.z <= 0.0)) return;

@@ -14,15 +14,18 @@ void main() {
   const uint stream = hashCombine(params.seed, kStreamPhotons);
   const uint index = params.pass * params.photonsPerPass + photon;  // one sequence runs through all passes
 
-  // Walker's alias table: the light by its power.
-  const float u = sequencePoint(stream, index, kPairFirst).x * float(params.lightCount);
+  // Walker's alias table: the light by its power. What the choice leaves of the number places the point.
+  vec2 place = sequencePoint(stream, index, kPairPosition);
+  const float u = place.x * float(params.lightCount);
   const uint entry = min(uint(u), params.lightCount - 1u);
   const LightAlias alias = lightAliasAt(entry);
-  const uint light = u - float(entry) < alias.threshold ? entry : alias.other;
+  const float rest = u - float(entry);
+  const bool isOwn = rest < alias.threshold;
+  const uint light = isOwn ? entry : alias.other;
+  place.x = min(isOwn ? rest / alias.threshold : (rest - alias.threshold) / (1.0 - alias.threshold), 0.99999994);
   const float probability = lightAliasAt(light).probability;
 
-  const Emission e = emitFromLight(light, sequencePoint(stream, index, kPairPosition),
-                                   sequencePoint(stream, index, kPairDirection), params.sceneCentre,
+  const Emission e = emitFromLight(light, place, sequencePoint(stream, index, kPairDirection), params.sceneCentre,
                                    params.sceneRadius);
   PathState path;
   path.throughput = e.flux / (probability * float(params.photonsPerPass));

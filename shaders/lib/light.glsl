@@ -4,6 +4,7 @@
 // lib/surface.glsl and what lib/environment.glsl and lib/light_tree.glsl ask for before this file.
 #ifndef IMPORTON_LIB_LIGHT_GLSL
 #define IMPORTON_LIB_LIGHT_GLSL
+#include "lib/hash.glsl"
 #include "lib/environment.glsl"
 #include "lib/light_tree.glsl"
 
@@ -61,7 +62,7 @@ float lightWeight(uint index, vec3 x) {
 }
 
 /// Chooses one of the weighed lights; sums their weights.
-uint chooseByWeight(uint count, vec3 x, float u, out float weightSum) {
+uint chooseByWeight(uint count, vec3 x, inout float u, out float weightSum) {
   // One pass: each light replaces the choice so far with its share of the sum so far; u is used up bit by bit.
   weightSum = 0.0;
   uint chosen = kNone;
@@ -91,18 +92,28 @@ float lightProbability(uint count, uint index, vec3 x, float weightSum) {
   return mix(byWeight, 1.0 / float(count), kDefensiveShare);
 }
 
-/// Chooses a light for x; `weightSum` is what lightProbability needs to know of the choice. kNone: none brings light.
-uint chooseLight(uint count, vec3 x, float u, out float probability, out float weightSum) {
+/// Chooses a light for x with u, and leaves in u what the choice did not use, uniform in [0, 1) again: a point on the
+/// light by it keeps the sequence's evenness over all lights together. `weightSum` is what lightProbability needs to
+/// know of the choice. kNone: none brings light.
+uint chooseLight(uint count, vec3 x, inout float u, out float probability, out float weightSum) {
   probability = weightSum = 0.0;
   if (count == 0u) return kNone;
   const bool isDefensive = u < kDefensiveShare;
-  const float rest = isDefensive ? u / kDefensiveShare : (u - kDefensiveShare) / (1.0 - kDefensiveShare);
+  const float scaled = (isDefensive ? u / kDefensiveShare : (u - kDefensiveShare) / (1.0 - kDefensiveShare));
+  u = scaled;
   uint chosen;
   float unused;
-  if (count > kLinearLights) chosen = isDefensive ? 0u : chooseFromTree(x, rest, unused);
-  else chosen = chooseByWeight(count, x, rest, weightSum);
+  if (count > kLinearLights) {
+    chosen = isDefensive ? 0u : chooseFromTree(x, scaled, unused);
+    u = unitFloat(hash(floatBitsToUint(scaled)));  // the way down the tree uses up most bits
+  } else {
+    chosen = chooseByWeight(count, x, u, weightSum);
+  }
   if (chosen == kNone) return kNone;
-  if (isDefensive) chosen = min(uint(rest * float(count)), count - 1u);
+  if (isDefensive) {
+    chosen = min(uint(scaled * float(count)), count - 1u);
+    u = fract(scaled * float(count));
+  }
   probability = lightProbability(count, chosen, x, weightSum);
   return chosen;
 }

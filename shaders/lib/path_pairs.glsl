@@ -3,16 +3,15 @@
 #define IMPORTON_LIB_PATH_PAIRS_GLSL
 #include "lib/sequence.glsl"
 
-const uint kPairFirst = 0u;      // pixel; choice of light
-const uint kPairPosition = 1u;   // point on the light
+const uint kPairFirst = 0u;      // pixel
+const uint kPairPosition = 1u;   // choice of light and point on it
 const uint kPairDirection = 2u;  // direction from the light
 const uint kPairEvents = 3u;
-const uint kPairsPerEvent = 4u;
+const uint kPairsPerEvent = 3u;
 // Pairs of an event
 const uint kPairLobe = 0u;       // lobe and Russian roulette
 const uint kPairScatter = 1u;    // direction
-const uint kPairLight = 2u;      // choice of light
-const uint kPairLightPoint = 3u;
+const uint kPairLight = 2u;      // choice of light and point on it
 
 uint eventPair(uint flags, uint which) { return kPairEvents + kPairsPerEvent * (flags & kPathDepthMask) + which; }
 
