@@ -23,18 +23,28 @@ struct Walk {
   vec3 offset;     // from the centre to it
 };
 
-/// Adds the non-empty cells of a level that touch the box of `radius` around `centre` and the slab around its plane.
+/// Components in cyclic order, `order` places on, and back.
+vec3 turned(vec3 v, uint order) { return order == 0u ? v : (order == 1u ? v.zxy : v.yzx); }
+vec3 turnedBack(vec3 v, uint order) { return order == 0u ? v : (order == 1u ? v.yzx : v.zxy); }
+
+/// Adds the non-empty cells of a level that touch the box of `radius` around `centre` and the slab around its plane:
+/// columns along the normal's largest component, and in each the one to three cells that the slab passes.
 uint addRanges(GridFrame frame, vec3 centre, vec3 normal, float radius, uint level, uint count) {
-  const ivec3 low = gridCellOf(frame, centre - radius, level), high = gridCellOf(frame, centre + radius, level);
-  const float edge = gridCellEdge(frame, level);
-  const float reach = 0.25 * radius + 0.5001 * edge * (abs(normal.x) + abs(normal.y) + abs(normal.z));
-  const vec3 first = frame.origin + (vec3(low) + 0.5) * edge - centre;
-  for (int z = low.z; z <= high.z; ++z) {
-    for (int y = low.y; y <= high.y; ++y) {
-      for (int x = low.x; x <= high.x; ++x) {
-        const vec3 middle = first + vec3(ivec3(x, y, z) - low) * edge;
-        if (abs(dot(middle, normal)) > reach) continue;
-        const uvec2 cell = gridCell(gridSlot(frame, ivec3(x, y, z), level));
+  // With the largest component last: x and y say which column, z how high.
+  const vec3 a = abs(normal);
+  const uint order = a.z >= max(a.x, a.y) ? 0u : (a.y >= a.x ? 1u : 2u);
+  const float perLength = float(1u << level) / frame.extent;
+  const vec3 c = turned((centre - frame.origin) * perLength, order), n = turned(normal, order);
+  const float r = radius * perLength;
+  const ivec3 low = ivec3(floor(c - r)), high = ivec3(floor(c + r));
+  const vec2 slope = n.xy / n.z;
+  const float reach = 0.2501 * r / abs(n.z) + 0.5001 * (abs(slope.x) + abs(slope.y));
+  for (int y = low.y; y <= high.y; ++y) {
+    for (int x = low.x; x <= high.x; ++x) {
+      const float middle = c.z - dot(slope, vec2(x, y) + 0.5 - c.xy);
+      const int last = min(int(floor(middle + reach)), high.z);
+      for (int z = max(int(floor(middle - reach)), low.z); z <= last; ++z) {
+        const uvec2 cell = gridCell(gridSlot(frame, ivec3(turnedBack(vec3(x, y, z), order)), level));
         if (cell.y > cell.x && count < kMaxRanges) searchRanges[count++] = uvec2(cell.x, cell.y - cell.x | level << 27);
       }
     }
