@@ -1,34 +1,51 @@
 #version 460
-// Photons leave the lights: a light by its power, a point on it and a direction.
+// Photons leave the lights: a light, a point on it and a direction, by power or by what a guide has learned.
 #extension GL_GOOGLE_include_directive : require
+#include "bindings/guide.glsl"
 #include "bindings/lights.glsl"
 #include "bindings/paths.glsl"
 #include "lib/path.glsl"
+#include "lib/photon_stream.glsl"
 
+layout(constant_id = kSpecIsGuided) const bool kIsGuided = true;
 layout(push_constant, scalar) uniform PushBlock { PhotonEmitPush push; };
+
+/// Walker's alias table: a light by its power. What the choice leaves of u.x is uniform again.
+uint lightByPower(inout vec2 u, out float probability) {
+  const float scaled = u.x * float(params.lightCount);
+  const uint entry = min(uint(scaled), params.lightCount - 1u);
+  const LightAlias alias = lightAliasAt(entry);
+  const float rest = scaled - float(entry);
+  const bool isOwn = rest < alias.threshold;
+  const uint light = isOwn ? entry : alias.other;
+  u.x = min(isOwn ? rest / alias.threshold : (rest - alias.threshold) / (1.0 - alias.threshold), 0.99999994);
+  probability = lightAliasAt(light).probability;
+  return light;
+}
 
 void main() {
   const uint slot = invocationIndex();
   if (slot >= push.count) return;
   const uint photon = push.firstPhoton + slot;
-  const uint stream = hashCombine(params.seed, kStreamPhotons);
-  const uint index = params.pass * params.photonsPerPass + photon;  // one sequence runs through all passes
-
-  // Walker's alias table: the light by its power. What the choice leaves of the number places the point.
-  vec2 place = sequencePoint(stream, index, kPairPosition);
-  const float u = place.x * float(params.lightCount);
-  const uint entry = min(uint(u), params.lightCount - 1u);
-  const LightAlias alias = lightAliasAt(entry);
-  const float rest = u - float(entry);
-  const bool isOwn = rest < alias.threshold;
-  const uint light = isOwn ? entry : alias.other;
-  place.x = min(isOwn ? rest / alias.threshold : (rest - alias.threshold) / (1.0 - alias.threshold), 0.99999994);
-  const float probability = lightAliasAt(light).probability;
-
-  const Emission e = emitFromLight(light, place, sequencePoint(stream, index, kPairDirection), params.sceneCentre,
-                                   params.sceneRadius);
+  const uint stream = photonStream(push.stream), index = photonIndex(photon);
+  vec2 place = sequencePoint(stream, index, kPairPosition), direction = sequencePoint(stream, index, kPairDirection);
+  uint light;
+  float density;
+  if (kIsGuided) {
+    const GuidedPoint p = sampleGuide(direction, params.lightCount, push.bins);
+    light = p.light;
+    density = p.density;
+    direction = p.u;
+    if (lightTexel(4u * light).w == kLightDirectional) {  // its places are guided
+      direction = place;
+      place = p.u;
+    }
+  } else {
+    light = lightByPower(place, density);
+  }
+  const Emission e = emitFromLight(light, place, direction, params.sceneCentre, params.sceneRadius);
   PathState path;
-  path.throughput = e.flux / (probability * float(params.photonsPerPass));
+  path.throughput = e.flux / (density * float(params.photonsPerPass));
   path.flags = 0u;
   path.id = photon;
   path.medium = kNone;

@@ -1,19 +1,23 @@
 #version 460
-// A photon meets a surface: it leaves a record there and goes on by the adjoint BSDF, or is absorbed.
+// A photon meets a surface: it leaves a record there and goes on by the adjoint BSDF, or is absorbed. Photons for the
+// caustic map leave one only after specular events, and end with the first other one.
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/scene.glsl"
 #include "bindings/paths.glsl"
 #include "bindings/records.glsl"
 #include "lib/map_point.glsl"
 #include "lib/path.glsl"
+#include "lib/photon_stream.glsl"
 
+layout(constant_id = kSpecPhotonKind) const uint kPhotonKind = kPhotonsGlobal;
 layout(push_constant, scalar) uniform PushBlock { PhotonScatterPush push; };
 
 void writeRecord(uint at, Surface s, bool isGlossy, vec3 direction, PathState path) {
-  const bool isCaustic = (path.flags & (kPathScattered | kPathSpecular)) == kPathSpecular;
+  const bool isCaustic = kPhotonKind == kPhotonsCaustic;
+  if (isCaustic && (path.flags & kPathSpecular) == 0u) return;
   const uint rank = path.id << 5 | min(path.flags & kPathDepthMask, 31u);
   recordPoints[at] = MapPoint(s.position, packMapPoint(-direction, s.geometricNormal, 0u));
-  records[at] = Record(path.throughput, kRecordGlobal | (isCaustic ? kRecordCaustic : 0u) |
+  records[at] = Record(path.throughput, (isCaustic ? kRecordCaustic : kRecordGlobal) |
                                             (isGlossy ? kRecordGlossy : 0u) | rank << kRecordRankShift);
 }
 
@@ -22,8 +26,7 @@ const float kMaxAdjoint = 4.0;
 
 /// Scatters the photon; false: absorbed. Throughput keeps its mean by Russian roulette.
 bool scatter(Surface s, Bsdf b, mat3 frame, vec3 direction, inout PathState path, out Ray ray) {
-  const uint stream = hashCombine(params.seed, kStreamPhotons);
-  const uint index = params.pass * params.photonsPerPass + path.id;
+  const uint stream = photonStream(push.stream), index = photonIndex(path.id);
   const vec2 choice = sequencePoint(stream, index, eventPair(path.flags, kPairLobe));
   const vec3 towardsLight = -direction * frame;
   const BsdfSample next = sampleBsdf(b, towardsLight, choice.x, sequencePoint(stream, index, eventPair(path.flags, kPairScatter)));
@@ -36,9 +39,10 @@ bool scatter(Surface s, Bsdf b, mat3 frame, vec3 direction, inout PathState path
   const vec3 weight = next.weight * min(adjoint, kMaxAdjoint);
   const float survival = min(1.0, maxComponent(weight * path.throughput) / max(maxComponent(path.throughput), 1e-38));
   if (!(choice.y < survival)) return false;
+  const bool isSpecular = next.isDelta || isFrosted(b);
+  if (kPhotonKind == kPhotonsCaustic && !isSpecular) return false;
   path.throughput *= weight / survival;
   updateMedium(path, s, next.isTransmission);
-  const bool isSpecular = next.isDelta || isFrosted(b);
   path.flags = (path.flags + 1u) | (isSpecular ? kPathSpecular : kPathScattered);
   if (!isSpecular) path.flags &= ~kPathSpecular;
   return (path.flags & kPathDepthMask) <= params.maxDepth;

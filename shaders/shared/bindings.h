@@ -78,6 +78,9 @@ SHARED_CONST uint kBindingImportonHits = 57;   // texel uint1: hits near each im
 SHARED_CONST uint kBindingImportonHitsOut = 58;  // storage: the same
 SHARED_CONST uint kBindingPhotonCells = 59;     // storage, PhotonCell[]: lib/photon_cell.glsl
 SHARED_CONST uint kBindingPhotonSlots = 60;     // storage, uint[]: cell of each stored photon
+SHARED_CONST uint kBindingGuideRows = 63;       // texel float1: lib/guide.glsl
+SHARED_CONST uint kBindingGuideColumns = 64;    // texel float1
+SHARED_CONST uint kBindingGuideSums = 65;       // storage, uint[]: what was learned for each cell
 SHARED_CONST uint kBindingWeights = 56;        // texel float1: the same
 SHARED_CONST uint kBindingPathLight = 52;      // storage, PathLight[], by slot
 

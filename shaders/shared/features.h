@@ -26,10 +26,15 @@ SHARED_CONST uint kSpecHasCausticMap = 13u;
 SHARED_CONST uint kSpecHasGlobalMap = 14u;
 
 SHARED_CONST uint kSpecPixelFilter = 16u;      // kFilter*
+SHARED_CONST uint kSpecIsGuided = 17u;         // emission follows a guide
+SHARED_CONST uint kSpecPhotonKind = 18u;       // kPhotonsGlobal, kPhotonsCaustic
 
 SHARED_CONST uint kFilterBox = 0u;
 SHARED_CONST uint kFilterGaussian = 1u;
 SHARED_CONST uint kFilterBlackmanHarris = 2u;
+
+SHARED_CONST uint kPhotonsGlobal = 0u;   // paths L(S|D)*, for the global map
+SHARED_CONST uint kPhotonsCaustic = 1u;  // paths LS+, for the caustic map
 
 SHARED_CONST uint kEyeImage = 0u;       // the image, with the photon maps
 SHARED_CONST uint kEyeImportons = 1u;   // records where the image would read the maps

@@ -52,6 +52,14 @@ struct GridPointsPush {
   uint source;
 };
 
+/// kernels/guide_learn.comp
+struct GuideLearnPush {
+  uint isGlobal;
+  uint stream;
+  uint bins;
+  float meanImportance;  // pixels/m²
+};
+
 /// kernels/hit_key.comp
 struct HitKeyPush {
   uint isGlobal;
@@ -108,6 +116,8 @@ struct CellFindPush {
 struct PhotonEmitPush {
   uint firstPhoton;
   uint count;
+  uint stream;
+  uint bins;  // of the guide, along each axis; 0: by power
 };
 
 /// kernels/photon_key.comp
@@ -131,6 +141,7 @@ struct PhotonRedistributePush {
 /// kernels/photon_scatter.comp
 struct PhotonScatterPush {
   uint source;
+  uint stream;
 };
 
 /// kernels/photon_store.comp

@@ -142,9 +142,12 @@ struct Record {
 };
 SHARED_CONST uint kRecordNone = 0u;
 SHARED_CONST uint kRecordCaustic = 1u;  // belongs to the caustic map
-SHARED_CONST uint kRecordGlobal = 2u;   // belongs to the global map; photons after S+ belong to both
+SHARED_CONST uint kRecordGlobal = 2u;   // belongs to the global map
 SHARED_CONST uint kRecordGlossy = 4u;   // its surface does not reflect by Lambert's law alone
 SHARED_CONST uint kRecordRankShift = 3u;  // above: a rank by path, then bounce, 29 bits
+
+/// Fixed-point units of what a guide learns.
+SHARED_CONST float kGuideUnits = 1024.0f;
 
 /// A cell of the scene that one stored photon speaks for; see lib/photon_cell.glsl.
 struct PhotonCell {
@@ -168,9 +171,10 @@ SHARED_CONST uint kRadix = 64u;          // digits of the sort
 SHARED_CONST uint kRadixBits = 6u;
 
 // Purposes of random streams, mixed with the seed.
-SHARED_CONST uint kStreamPhotons = 1u;
 SHARED_CONST uint kStreamPixels = 2u;
 SHARED_CONST uint kStreamImportons = 3u;
+SHARED_CONST uint kStreamCausticPhotons = 0x100u;  // plus the state of the guide
+SHARED_CONST uint kStreamGlobalPhotons = 0x200u;
 
 // Counters: uint each
 SHARED_CONST uint kCounterQueueA = 0u;

@@ -170,6 +170,10 @@ void addDensityOptions(CLI::App& app, RenderJob& job) {
                             "store all photons, or store or redistribute each by the\nrequired density "
                             "(default: density)")
       ->group(group);
+  addChoice<EmissionChoice>(app, "--emission",
+                            {{"power", EmissionChoice::power}, {"guided", EmissionChoice::guided}}, job.emission,
+                            "photons by the lights' power, or guided to what matters\n(default: guided where it pays)")
+      ->group(group);
   app.add_option("--caustic-density", job.causticDensity,
                  withDefault("required in the caustic map, photons per pixel footprint", job.causticDensity))
       ->check(positive("photons"))

@@ -23,18 +23,11 @@ uint readCounter(const Stage& stage, uint counter) {
   return stage.work.counters.download<uint>(1, counter * sizeof(uint)).front();
 }
 
-/// Selects the importons of `kind`.
-void selectRecords(const Stage& stage, MapKind kind) {
-  overItems(stage, stage.kernels.recordSelect, stage.work.table, kCounterRecords,
-            RecordSelectPush{kCounterRecords, recordMask(kind)});
-  compact(stage, kCounterRecords, kCounterSelected, nullptr, stage.work.selection);
-}
-
 /// Selects the importons of `kind` and finds the grid levels at which their neighbours are searched.
 uint selectImportons(const Stage& stage, MapKind kind, const PointGrid& counts, uint nearest) {
   gpu::BindingTable table = stage.work.table;
   table.set(kBindingCellsOut, counts.cells);
-  selectRecords(stage, kind);
+  selectRecords(stage, recordMask(kind));
   setCounter(stage, kCounterLevels, 0);
   stage.recorder.fill(counts.cells, 0);
   overItems(stage, stage.kernels.importonCount, table, kCounterSelected, ImportonCountPush{counts.slotMask});
@@ -120,7 +113,7 @@ void buildImportance(const Stage& stage, Parameters& parameters, ImportanceMaps&
       buildMap(stage, maps.caustic, MapKind::caustic, nearest);
       parameters.causticMap.importonLevels = maps.caustic.levels;
     } else if (knowsImportance) {
-      selectRecords(stage, MapKind::caustic);
+      selectRecords(stage, recordMask(MapKind::caustic));
       stage.recorder.submitAndWait();
       maps.caustic.count = readCounter(stage, kCounterSelected);
     }

@@ -11,7 +11,8 @@ struct KernelSet {
   gpu::Kernel eyeEmit, eyeScatter, eyeLight, mapLookup, filmAdd, aovSurface, aovMap;
   gpu::Kernel importonEmit, importonScatter, importonCount, importonLevel, importonEntries, importonPoints,
       importonDensity, importonKey, importonResolve;
-  gpu::Kernel photonEmit, photonScatter, recordSelect, hitKey, photonQuota, photonStore, photonKey,
+  gpu::Kernel photonEmit, photonEmitGuided, photonScatter, causticScatter, guideLearn;
+  gpu::Kernel recordSelect, hitKey, photonQuota, photonStore, photonKey,
       photonRedistribute, photonResolve, fluxSum;
   gpu::Kernel cellFind, cellClaim, cellSettle, cellAdd, cellClear;
 };

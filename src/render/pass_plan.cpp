@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kLookupPhotons = 20;       // M of a lookup
 constexpr double kQuotaPhotons = 8;         // Q
+constexpr int kSamplesPerPass = 4;          // camera paths per pixel that share one photon map
 constexpr double kLargestLookup = 0.025;     // radius over the scene's largest side
 constexpr std::uint64_t kBytesPerPhoton = 96;  // stored, sorted and finished, with its share of the cells
 constexpr uint kImportonLevels = 21;        // grid levels at which an importon may stand
@@ -39,7 +40,7 @@ PassPlan planPasses(const RenderJob& job, glm::ivec2 size, const gpu::Limits& li
   plan.tilePixels = std::min<std::uint64_t>(pixels, 1u << 18);
   plan.maxPasses = job.passes.value_or(job.seconds ? 1 << 20 : 64);
   plan.workspace.slots = plan.tilePixels;
-  plan.samples = static_cast<std::uint32_t>(job.gather.value_or(1));
+  plan.samples = static_cast<std::uint32_t>(job.gather.value_or(job.integrator == Integrator::photon ? kSamplesPerPass : 1));
   plan.receivers = static_cast<uint>(job.redistribute.value_or(0));
   if (job.integrator == Integrator::path) {
     plan.importons = 1;

@@ -55,9 +55,7 @@ void PhotonMap::addBatch(const Stage& stage, const ImportanceMap& importance, De
   setCounter(stage, kCounterOverflow, 0, counter(kMapOverflow));
   setCounter(stage, kCounterLevels, 0);
 
-  overItems(stage, stage.kernels.recordSelect, table, kCounterRecords,
-            RecordSelectPush{kCounterRecords, recordMask(kind_)});
-  compact(stage, kCounterRecords, kCounterSelected, nullptr, stage.work.selection);
+  selectRecords(stage, recordMask(kind_));
   overTiles(stage, stage.kernels.fluxSum, table, kCounterSelected, FluxSumPush{0, kCounterSelected});
   const bool isControlled = control == DensityControl::density;
   if (isControlled && receivers == 0) {

@@ -1,10 +1,17 @@
 /// Photons from the lights, in batches.
 #pragma once
-#include "render/workspace.h"
+#include "render/emission_guide.h"
 
 namespace importon {
 
+/// Which photons: for the global map (all paths) or for the caustic map (light, specular events, first other one).
+struct PhotonSource {
+  MapKind kind = MapKind::global;
+  const EmissionGuide* guide = nullptr;  // null: emission by power
+};
+
 /// Emits and traces photons `first` .. `first + count` of the pass; their hits are left in the workspace's records.
-void tracePhotons(const Stage& stage, std::uint32_t first, std::uint32_t count, uint maxDepth);
+void tracePhotons(const Stage& stage, const PhotonSource& source, std::uint32_t first, std::uint32_t count,
+                  uint maxDepth);
 
 }  // namespace importon

@@ -11,6 +11,7 @@ namespace importon {
 enum class Integrator { photon, path };
 enum class PixelFilter { box, gaussian, blackmanHarris };  // kFilter* of shared/features.h
 enum class DensityControl { off, density };
+enum class EmissionChoice { automatic, power, guided };
 
 /// Unset optionals are chosen automatically. Names follow the options of `importon render`. What decides the image
 /// also goes into settingsOf in job_fingerprint.cpp.
@@ -28,6 +29,7 @@ struct RenderJob {
   std::optional<std::uint32_t> photons;      // emitted per pass, at most
   std::optional<std::uint32_t> importons;    // in all
   DensityControl control = DensityControl::density;
+  EmissionChoice emission = EmissionChoice::automatic;
   std::optional<std::uint32_t> photonBatch;  // photons traced at once
   double causticDensity = 20, globalDensity = 1.5;  // M_r, photons per pixel footprint
   std::optional<double> constantDensity;     // photons/m², the same everywhere

@@ -21,6 +21,18 @@ using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
+constexpr int kCausticBins = 128, kGlobalBins = 16;  // of a guide, along both axes of a light's unit square
+constexpr double kLeastGain = 1.5;                  // learned, from which on global photons are guided
+
+/// m², of one side.
+double surfaceArea(const Scene& scene) {
+  double area = 0;
+  for (const Triangle& t : scene.triangles)
+    area += 0.5 * glm::length(glm::cross(scene.positions[t.v1] - scene.positions[t.v0],
+                                         scene.positions[t.v2] - scene.positions[t.v0]));
+  return area;
+}
+
 /// Builds the BVH; a progress line when it takes long.
 Bvh buildSceneBvh(const Scene& scene, const RenderJob& job, Log& log, double& seconds) {
   const Clock::time_point start = Clock::now();
@@ -45,6 +57,7 @@ RenderSession::RenderSession(const RenderJob& job, const Scene& scene, Log& log)
   device.get();
   const Clock::time_point start = Clock::now();
   deviceScene_ = uploadScene(*context_, scene, bvh);
+  surfaceArea_ = surfaceArea(scene);
   plan_ = planPasses(job, size_, context_->limits());
   parameters_ = makeParameters(job, scene, plan_, size_);
   work_.emplace(*context_, plan_.workspace);
@@ -80,10 +93,36 @@ void RenderSession::findImportance() {
                   causticMap_.has_value());
   // A camera that sees no surface to light needs no photons.
   if (importance_.global.count == 0 && importance_.caustic.count == 0) plan_.photons = 0;
+  trainGuides();
   stats_.importonsEmitted = plan_.importons;
   stats_.importonsCaustic = importance_.caustic.count;
   stats_.importonsGlobal = importance_.global.count;
   stats_.seconds.importance = secondsSince(start);
+}
+
+float RenderSession::meanImportance() const {
+  return static_cast<float>(size_.x) * static_cast<float>(size_.y) / static_cast<float>(surfaceArea_);
+}
+
+void RenderSession::trainGuides() {
+  if (job_.emission == EmissionChoice::power || plan_.photons == 0) return;
+  startPass(0);
+  const auto train = [&](std::optional<EmissionGuide>& guide, MapKind kind, const ImportanceMap& importance, int bins) {
+    guide.emplace(*context_, scene_, kind, bins);
+    tracePhotons(*stage_, {kind, &*guide}, 0, std::min(plan_.batch, plan_.photons), parameters_.maxDepth);
+    selectRecords(*stage_, recordMask(kind));
+    guide->learn(*stage_, importance, meanImportance());
+    recorder_->submitAndWait();
+    guide->update();
+  };
+  train(globalGuide_, MapKind::global, importance_.global, kGlobalBins);
+  if (job_.emission == EmissionChoice::automatic && globalGuide_->gain() < kLeastGain) globalGuide_.reset();
+  if (causticMap_) train(causticGuide_, MapKind::caustic, importance_.caustic, kCausticBins);
+}
+
+void RenderSession::updateGuides() {
+  for (std::optional<EmissionGuide>* guide : {&globalGuide_, &causticGuide_})
+    if (*guide) (*guide)->update();
 }
 
 void RenderSession::startPass(int pass) {
@@ -102,6 +141,7 @@ void RenderSession::shootPhotons(int pass) {
     startPass(pass);
     fillMaps();
   }
+  if (pass < kLearningPasses) updateGuides();
 }
 
 bool RenderSession::isMapFull() const {
@@ -110,13 +150,9 @@ bool RenderSession::isMapFull() const {
 }
 
 void RenderSession::controlHarder() {
-  double area = 0;  // m²
-  for (const Triangle& t : scene_.triangles)
-    area += 0.5 * glm::length(glm::cross(scene_.positions[t.v1] - scene_.positions[t.v0],
-                                         scene_.positions[t.v2] - scene_.positions[t.v0]));
-  const double first = 4 * static_cast<double>(plan_.mapCapacity) / area;
+  const double first = 4 * static_cast<double>(plan_.mapCapacity) / surfaceArea_;
   const float limit = std::min(0.5f * parameters_.globalMap.densityLimit, static_cast<float>(first));
-  if (limit * area < 1)
+  if (limit * surfaceArea_ < 1)
     throw DeviceError("the photon maps", fmt::format("no room for {} photons", plan_.mapCapacity), "raise --memory");
   parameters_.globalMap.densityLimit = parameters_.causticMap.densityLimit = limit;
   control_ = DensityControl::density;
@@ -125,16 +161,21 @@ void RenderSession::controlHarder() {
 }
 
 void RenderSession::fillMaps() {
-  globalMap_->begin(*stage_);
-  if (causticMap_) causticMap_->begin(*stage_);
-  for (std::uint32_t first = 0; first < plan_.photons; first += plan_.batch) {
-    tracePhotons(*stage_, first, std::min(plan_.batch, plan_.photons - first), parameters_.maxDepth);
-    globalMap_->addBatch(*stage_, importance_.global, control_, plan_.receivers);
-    if (causticMap_) causticMap_->addBatch(*stage_, importance_.caustic, control_, plan_.receivers);
-  }
-  globalMap_->finish(*stage_, importance_.global);
-  if (causticMap_) causticMap_->finish(*stage_, importance_.caustic);
+  fillMap(*globalMap_, MapKind::global, importance_.global, globalGuide_);
+  if (causticMap_) fillMap(*causticMap_, MapKind::caustic, importance_.caustic, causticGuide_);
   submit(stats_.seconds.photons);
+}
+
+void RenderSession::fillMap(PhotonMap& map, MapKind kind, const ImportanceMap& importance,
+                            std::optional<EmissionGuide>& guide) {
+  map.begin(*stage_);
+  for (std::uint32_t first = 0; first < plan_.photons; first += plan_.batch) {
+    tracePhotons(*stage_, {kind, guide ? &*guide : nullptr}, first, std::min(plan_.batch, plan_.photons - first),
+                 parameters_.maxDepth);
+    map.addBatch(*stage_, importance, control_, plan_.receivers);
+    if (guide && static_cast<int>(parameters_.pass) < kLearningPasses) guide->learn(*stage_, importance, meanImportance());
+  }
+  map.finish(*stage_, importance);
 }
 
 EyeMaps RenderSession::eyeMaps() const {
@@ -172,7 +213,7 @@ void RenderSession::countPass(int) {
   if (counters[kCounterTraceUnfinished] > 0)
     log_.warn("rays given up", fmt::format("{} rays were too long for this device", counters[kCounterTraceUnfinished]));
   if (!hasMaps()) return;
-  stats_.photonsEmitted += plan_.photons;
+  stats_.photonsEmitted += plan_.photons * (causticMap_ ? 2u : 1u);
   addCounts(stats_.global, globalMap_->readCounts(*stage_, parameters_.fluxScale), "global");
   if (causticMap_) addCounts(stats_.caustic, causticMap_->readCounts(*stage_, parameters_.fluxScale), "caustic");
 }

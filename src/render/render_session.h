@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/log.h"
+#include "render/emission_guide.h"
 #include "render/checkpoint.h"
 #include "render/device_scene.h"
 #include "render/eye_pass.h"
@@ -57,6 +58,11 @@ class RenderSession {
   void loadDevice();
   void startPass(int pass);
   void fillMaps();
+  void fillMap(PhotonMap& map, MapKind kind, const ImportanceMap& importance, std::optional<EmissionGuide>& guide);
+  /// Shoots photons whose only use is to teach the guides, and drops those that do not pay.
+  void trainGuides();
+  void updateGuides();
+  [[nodiscard]] float meanImportance() const;  // pixels/m², if it were the same everywhere
   [[nodiscard]] bool isMapFull() const;
   /// Lowers the required density so that the maps fit in memory; warns.
   void controlHarder();
@@ -83,6 +89,9 @@ class RenderSession {
   ImportanceMaps importance_;
   std::optional<PhotonMap> causticMap_, globalMap_;
   DensityControl control_;
+  double surfaceArea_ = 0;  // m²
+  std::optional<EmissionGuide> causticGuide_, globalGuide_;
+  static constexpr int kLearningPasses = 4;
 };
 
 }  // namespace importon

@@ -1,4 +1,5 @@
 // Saving and restoring a render in progress.
+#include <algorithm>
 #include <cstring>
 
 #include "base/error.h"
@@ -31,6 +32,8 @@ std::vector<RenderSession::Lasting> RenderSession::lastingMemory() {
   if (!hasMaps()) return lasting;
   lasting.push_back({"caustic importon hits", &importance_.caustic.hits});
   lasting.push_back({"global importon hits", &importance_.global.hits});
+  if (causticGuide_) lasting.push_back({"caustic guide", &causticGuide_->memory()});
+  if (globalGuide_) lasting.push_back({"global guide", &globalGuide_->memory()});
   return lasting;
 }
 
@@ -69,6 +72,7 @@ void RenderSession::restore(const Checkpoint& checkpoint) {
   };
   for (const Lasting& lasting : lastingMemory())
     lasting.buffer->uploadBytes(bytesOf(lasting.name, lasting.buffer->bytes()));
+  for (int pass = 0; pass < std::min(checkpoint.passes, kLearningPasses); ++pass) updateGuides();
   HostState host{};
   std::memcpy(static_cast<void*>(&host), bytesOf(kHostName, sizeof host).data(), sizeof host);
   stats_.closestRays = host.closestRays;

@@ -75,6 +75,12 @@ void compact(const Stage& stage, uint source, uint target, const Buffer* in, con
   overTiles(stage, stage.kernels.compactScatter, table, source, CompactScatterPush{source, in == nullptr});
 }
 
+void selectRecords(const Stage& stage, uint mask) {
+  overItems(stage, stage.kernels.recordSelect, stage.work.table, kCounterRecords,
+            RecordSelectPush{kCounterRecords, mask});
+  compact(stage, kCounterRecords, kCounterSelected, nullptr, stage.work.selection);
+}
+
 const Buffer& sortByKey(const Stage& stage, uint source, uint bits, const Buffer& order) {
   Workspace& work = stage.work;
   const Buffer *keysIn = &work.keysA, *keysOut = &work.keysB, *valuesIn = &work.valuesA, *valuesOut = &work.valuesB;

@@ -65,6 +65,9 @@ void setCounter(const Stage& stage, uint counter, uint value, uint a = kNone, ui
 void compact(const Stage& stage, uint source, uint target, const gpu::Buffer* in, const gpu::Buffer& out,
              uint accumulate = kNone);
 
+/// Selects the records of which `mask` holds a bit: their indices in work.selection, their number in kCounterSelected.
+void selectRecords(const Stage& stage, uint mask);
+
 /// Stable sort of the `source` entries by the `bits` low bits of work.keysA. `order` receives their indices;
 /// the sorted keys are in the returned buffer.
 const gpu::Buffer& sortByKey(const Stage& stage, uint source, uint bits, const gpu::Buffer& order);

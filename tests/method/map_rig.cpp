@@ -37,7 +37,7 @@ PhotonMap MapRig::shoot(MapKind kind, DensityControl control, uint receivers, st
   recorder_->fill(work_->counters, 0);
   map.begin(*stage_);
   for (std::uint32_t first = 0; first < plan.photons; first += plan.batch) {
-    tracePhotons(*stage_, first, std::min(plan.batch, plan.photons - first), parameters.maxDepth);
+    tracePhotons(*stage_, {kind, nullptr}, first, std::min(plan.batch, plan.photons - first), parameters.maxDepth);
     map.addBatch(*stage_, required, control, receivers);
   }
   map.finish(*stage_, required);

@@ -1,0 +1,27 @@
+#version 460
+// What photons brought to places that matter, by the cell of the guide that they came from: the second moment of
+// flux over the cell, weighted by importance. The best density of samples goes with its root.
+#extension GL_GOOGLE_include_directive : require
+#include "bindings/guide.glsl"
+#include "bindings/importance.glsl"
+#include "bindings/selection.glsl"
+#include "lib/photon_stream.glsl"
+
+layout(scalar, binding = kBindingGuideSums) buffer SumsBlock { uint sums[]; };
+layout(push_constant, scalar) uniform PushBlock { GuideLearnPush push; };
+
+void main() {
+  const uint i = invocationIndex();
+  if (i >= counters[kCounterSelected]) return;
+  const uint at = selection[i];
+  const MapPoint point = recordPoints[at];
+  MapSettings map = params.causticMap;
+  if (push.isGlobal != 0u) map = params.globalMap;
+  const float importance = importanceAt(map, point.position, mapPointNormal(point.packed));
+  const uint photon = records[at].kind >> (kRecordRankShift + 5u);
+  const vec2 u = sequencePoint(photonStream(push.stream), photonIndex(photon), kPairDirection);
+  const GuidedPoint p = sampleGuide(u, params.lightCount, push.bins);
+  const float flux = mean(records[at].flux) * p.density * float(params.photonsPerPass) / params.totalPower;
+  const float share = importance / (importance + push.meanImportance);
+  atomicAdd(sums[p.cell], uint(min(share * flux * flux / p.density, 256.0) * kGuideUnits));
+}

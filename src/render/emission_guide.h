@@ -1,0 +1,50 @@
+/// How photons are shared out among the lights and their directions, learned from what earlier ones brought to places
+/// that the camera sees. [Peter and Pietrek 1998; Jensen 1995 for bins over the unit square of directions]
+#pragma once
+#include <vector>
+
+#include "render/importance.h"
+#include "scene/scene.h"
+
+namespace importon {
+
+/// Shares of the cells of a guide, and what they promise.
+struct GuideShares {
+  std::vector<double> cells;  // sum 1
+  double gain = 1;            // variance by power over variance by these shares, as far as it was learned
+};
+
+/// Shares for `lights` lights of `bins` x `bins` cells, by the root of the learned second moment, smoothed; a seventh
+/// goes by power, half of that evenly over the lights, so that nothing has probability zero. `moments`: of each cell;
+/// `powers`: of the lights, sum 1.
+[[nodiscard]] GuideShares shareOut(const std::vector<double>& moments, const std::vector<double>& powers, int bins);
+
+class EmissionGuide {
+ public:
+  /// With up to `bins` x `bins` cells per light; fewer for many lights. It starts with shares by power.
+  EmissionGuide(gpu::Context& context, const Scene& scene, MapKind kind, int bins);
+
+  /// Records in the workspace, selected for the map, teach the guide. `meanImportance`: pixels/m² of the scene.
+  void learn(const Stage& stage, const ImportanceMap& importance, float meanImportance);
+  /// Makes new shares from all that was learned so far; the photons to come follow them. The device is idle.
+  void update();
+  void bind(gpu::BindingTable& table) const;
+
+  /// Purpose of the random stream: photons that follow new shares never repeat the numbers that taught them.
+  [[nodiscard]] uint stream() const { return stream_; }
+  [[nodiscard]] uint bins() const { return bins_; }
+  [[nodiscard]] double gain() const { return gain_; }
+  /// All that must last while a render pauses: the sums; `update` brings back the rest.
+  [[nodiscard]] gpu::Buffer& memory() { return sums_; }
+
+ private:
+  void upload(const std::vector<double>& cells);
+
+  MapKind kind_;
+  uint bins_, stream_;
+  std::vector<double> powers_;
+  double gain_ = 1;
+  gpu::Buffer rows_, columns_, sums_;
+};
+
+}  // namespace importon

@@ -1,0 +1,79 @@
+// Guided emission: shares that are never zero, the mean of power emission, and more photons where the camera looks.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "render/emission_guide.h"
+#include "render_helper.h"
+#include "support/scene_builder.h"
+#include "support/statistics.h"
+
+namespace importon::test {
+namespace {
+
+TEST(GuideShares, FollowTheRootOfWhatWasLearnedAndAreNeverZero) {
+  const int bins = 8;
+  std::vector<double> moments(2 * 64);
+  moments[64 + 27] = 100;  // all from one direction of the second light
+  const GuideShares shares = shareOut(moments, {0.999999, 1e-6}, bins);
+  EXPECT_NEAR(std::accumulate(shares.cells.begin(), shares.cells.end(), 0.0), 1, 1e-12);
+  for (const double share : shares.cells) EXPECT_GE(share, 0.15 * 0.5 / 128);
+  EXPECT_EQ(std::max_element(shares.cells.begin(), shares.cells.end()) - shares.cells.begin(), 64 + 27);
+  EXPECT_GT(shares.gain, 1e6);
+}
+
+TEST(GuideShares, OfNothingLearnedAreByPower) {
+  const GuideShares shares = shareOut(std::vector<double>(32), {0.75, 0.25}, 4);
+  EXPECT_NEAR(shares.cells.front(), 0.75 / 16, 1e-15);
+  EXPECT_NEAR(shares.cells.back(), 0.25 / 16, 1e-15);
+  EXPECT_EQ(shares.gain, 1);
+}
+
+class Guide : public RenderTest {};
+
+/// A room with a glass ball and a mirror ball, a lamp, and a parallel light of which a little comes in through a hole
+/// in the roof. The camera sees the floor by the glass ball alone.
+Scene room() {
+  SceneBuilder builder;
+  const uint white = builder.material(diffuse(vec3(0.6f)));
+  builder.box(white, {-1, -1, -1}, {1, 1, 1}, Facing::inside);
+  builder.square(builder.material(emitter(vec3(40))), {0.2, 0.98, 0.1}, {0, -1, 0}, 0.2);
+  builder.icosphere(builder.material(glass(1.5f)), {-0.3, -0.6, 0.1}, 0.3, 3, Facing::outside, Shading::smooth);
+  builder.icosphere(builder.material(mirror(vec3(0.9f))), {0.5, -0.6, -0.3}, 0.25, 3, Facing::outside, Shading::smooth);
+  builder.pointLight({0.7, 0.5, -0.7}, vec3(0.2f));
+  builder.directionalLight({0.1, -1, 0.2}, vec3(1));
+  builder.camera({-0.3, 0, 0.9}, {-0.35, -1, 0.05}, 0.6, 24, 24);
+  return builder.finish();
+}
+
+RenderJob guideJob(EmissionChoice emission) {
+  RenderJob job = makeJob(Integrator::photon, 2);
+  job.photons = 1u << 13;
+  job.importons = 1u << 12;
+  job.gather = 1;
+  job.emission = emission;
+  return job;
+}
+
+TEST_F(Guide, KeepsTheMeanFluxOfPowerEmission) {
+  const Scene scene = room();
+  std::array<Moments, 2> caustic, global;
+  std::array<double, 2> hits{};
+  for (const bool isGuided : {false, true}) {
+    RenderJob job = guideJob(isGuided ? EmissionChoice::guided : EmissionChoice::power);
+    for (job.seed = 1; job.seed <= 5; ++job.seed) {
+      const RenderStats stats = renderScene(job, scene).stats;
+      caustic[isGuided].add(stats.caustic.fluxHits[1]);
+      global[isGuided].add(stats.global.fluxHits[1]);
+      hits[isGuided] += static_cast<double>(stats.caustic.hits);
+    }
+  }
+  EXPECT_GT(welchTest(caustic[0], caustic[1]).pValue, sidak(kSignificance, 2));
+  EXPECT_GT(welchTest(global[0], global[1]).pValue, sidak(kSignificance, 2));
+  EXPECT_GT(hits[1], 2 * hits[0]) << "the guide sends no more photons to the glass";
+}
+
+}  // namespace
+}  // namespace importon::test
