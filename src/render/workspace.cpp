@@ -38,7 +38,10 @@ Workspace::Workspace(gpu::Context& c, const WorkspaceSize& s)
       selectedPoints(c, "selected points", s.records * sizeof(MapPoint), TexelFormat::uint4),
       neighbours(c, "neighbours", s.records * sizeof(uint)),
       accepted(c, "accepted", s.records * sizeof(uint)),
+      noGuide(c, "no guide", sizeof(float), TexelFormat::float1),
       size(s) {
+  table.set(kBindingGuideRows, noGuide);
+  table.set(kBindingGuideColumns, noGuide);
   table.set(kBindingParameters, parameters);
   table.set(kBindingCounters, counters);
   table.set(kBindingDispatches, dispatches);

@@ -22,6 +22,7 @@ struct Workspace {
   gpu::Buffer rays, hits, shadowRays, shadowHits, shadowLight, paths, eyeVertices, pathLight, queueA, queueB;
   gpu::Buffer keep, blockSums, keysA, keysB, valuesA, valuesB;
   gpu::Buffer recordPoints, records, required, selection, selectedPoints, neighbours, accepted;
+  gpu::Buffer noGuide;  // stands for an emission guide where there is none
   gpu::BindingTable table;
   WorkspaceSize size;
 };
