@@ -1,5 +1,5 @@
-// What leaving out saves: the box of Cornell, which has no glass, textures or environment, with the features that it
-// needs and with all of them.
+// What leaving out saves: the box of Cornell, which has no glass, textures or environment, with the features
+// that it needs and with all of them.
 #include <benchmark/benchmark.h>
 
 #include <atomic>
@@ -22,12 +22,15 @@ RenderStats renderOnce(const Scene& scene, Integrator integrator, bool isFull) {
   job.forcesAllFeatures = isFull;
   Log log(Log::Verbosity::quiet);
   const std::atomic<bool> isInterrupted = false;
-  return render(job, scene, log, isInterrupted, [](const RenderProgress&) {}, std::chrono::steady_clock::now()).stats;
+  return render(
+             job, scene, log, isInterrupted, [](const RenderProgress&) {}, std::chrono::steady_clock::now())
+      .stats;
 }
 
 void renderBox(benchmark::State& state, Integrator integrator, bool isFull) {
   Log log(Log::Verbosity::quiet);
-  const Scene scene = loadGltf(std::filesystem::path(IMPORTON_SCENES) / "cornell_box" / "cornell_box.gltf", log);
+  const Scene scene =
+      loadGltf(std::filesystem::path(IMPORTON_SCENES) / "cornell_box" / "cornell_box.gltf", log);
   for ([[maybe_unused]] auto _ : state) {
     const RenderStats stats = renderOnce(scene, integrator, isFull);
     double kernels = 0;
@@ -38,9 +41,15 @@ void renderBox(benchmark::State& state, Integrator integrator, bool isFull) {
   }
 }
 
-BENCHMARK_CAPTURE(renderBox, photon_minimal, Integrator::photon, false)->Unit(benchmark::kMillisecond)->Iterations(1);
-BENCHMARK_CAPTURE(renderBox, photon_full, Integrator::photon, true)->Unit(benchmark::kMillisecond)->Iterations(1);
-BENCHMARK_CAPTURE(renderBox, path_minimal, Integrator::path, false)->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK_CAPTURE(renderBox, photon_minimal, Integrator::photon, false)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+BENCHMARK_CAPTURE(renderBox, photon_full, Integrator::photon, true)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+BENCHMARK_CAPTURE(renderBox, path_minimal, Integrator::path, false)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
 BENCHMARK_CAPTURE(renderBox, path_full, Integrator::path, true)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 }  // namespace

@@ -1,4 +1,5 @@
-// What the choice of lights costs, and how much noise it leaves, from hundreds of emissive triangles to a million.
+// What the choice of lights costs, and how much noise it leaves, from hundreds of emissive triangles to a
+// million.
 #include <benchmark/benchmark.h>
 
 #include <atomic>
@@ -20,7 +21,8 @@ Scene floorUnderLights(int count) {
   builder.square(builder.material(test::diffuse(vec3(0.7f))), {0, 0, 0}, {0, 1, 0}, 20);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> place(-9, 9), height(0.3, 2), side(-1, 1);
-  const uint materials[] = {builder.material(test::emitter(vec3(1.0f))), builder.material(test::emitter(vec3(30.0f)))};
+  const uint materials[] = {builder.material(test::emitter(vec3(1.0f))),
+                            builder.material(test::emitter(vec3(30.0f)))};
   const double size = 3 / std::sqrt(static_cast<double>(count));
   for (int i = 0; i < count; ++i) {
     const glm::dvec3 p(place(random), height(random), place(random));
@@ -39,7 +41,8 @@ RenderResult renderDirect(const Scene& scene, int passes) {
   job.aovs = {"variance"};
   Log log(Log::Verbosity::quiet);
   const std::atomic<bool> isInterrupted = false;
-  return render(job, scene, log, isInterrupted, [](const RenderProgress&) {}, std::chrono::steady_clock::now());
+  return render(
+      job, scene, log, isInterrupted, [](const RenderProgress&) {}, std::chrono::steady_clock::now());
 }
 
 double meanOf(const Image& image, const char* channel) {
@@ -56,10 +59,18 @@ void lights(benchmark::State& state) {
     const RenderResult result = renderDirect(scene, 8);
     for (const KernelStats& kernel : result.stats.kernels)
       if (kernel.label == "shade camera path") state.counters["shade_ms_per_pass"] = kernel.milliseconds / 8;
-    state.counters["relative_noise"] = std::sqrt(8 * meanOf(result.image, "variance.R")) / meanOf(result.image, "R");
+    state.counters["relative_noise"] =
+        std::sqrt(8 * meanOf(result.image, "variance.R")) / meanOf(result.image, "R");
   }
 }
 
-BENCHMARK(lights)->Arg(100)->Arg(1000)->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK(lights)
+    ->Arg(100)
+    ->Arg(1000)
+    ->Arg(10'000)
+    ->Arg(100'000)
+    ->Arg(1'000'000)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
 
 }  // namespace

@@ -18,7 +18,8 @@ float meanOf(const vec3& color) { return (color.x + color.y + color.z) / 3.0f; }
 
 /// A cone around both. [Conty Estevez and Kulla 2018, listing 1]
 void mergeCones(LightBounds& a, const LightBounds& b) {
-  const float angleA = std::acos(std::clamp(a.cosCone, -1.0f, 1.0f)), angleB = std::acos(std::clamp(b.cosCone, -1.0f, 1.0f));
+  const float angleA = std::acos(std::clamp(a.cosCone, -1.0f, 1.0f)),
+              angleB = std::acos(std::clamp(b.cosCone, -1.0f, 1.0f));
   const float between = std::acos(std::clamp(glm::dot(a.axis, b.axis), -1.0f, 1.0f));
   if (between + angleB <= angleA) return;
   if (between + angleA <= angleB) {
@@ -52,7 +53,8 @@ LightBounds merge(LightBounds a, const LightBounds& b) {
 
 class Builder {
  public:
-  explicit Builder(std::span<const LightBounds> lights) : lights_(lights), order_(lights.size()), ways_(lights.size()) {
+  explicit Builder(std::span<const LightBounds> lights)
+      : lights_(lights), order_(lights.size()), ways_(lights.size()) {
     std::iota(order_.begin(), order_.end(), 0u);
     std::stable_partition(order_.begin(), order_.end(), [&](uint i) { return !lights_[i].isInfinite; });
   }
@@ -92,9 +94,11 @@ class Builder {
     return both;
   }
 
-  /// Where [begin, end) is divided: infinite lights apart from the others, else half by half along the longest side.
+  /// Where [begin, end) is divided: infinite lights apart from the others, else half by half along the longest
+  /// side.
   std::size_t split(std::size_t begin, std::size_t end) {
-    const auto first = order_.begin() + static_cast<std::ptrdiff_t>(begin), last = order_.begin() + static_cast<std::ptrdiff_t>(end);
+    const auto first = order_.begin() + static_cast<std::ptrdiff_t>(begin),
+               last = order_.begin() + static_cast<std::ptrdiff_t>(end);
     const auto firstInfinite = std::find_if(first, last, [&](uint i) { return lights_[i].isInfinite; });
     if (firstInfinite != last && firstInfinite != first)
       return begin + static_cast<std::size_t>(firstInfinite - first);
@@ -120,12 +124,14 @@ class Builder {
   static void write(const Node& node, std::vector<uvec4>& texels) {
     const LightBounds& b = node.bounds;
     const vec3 centre = 0.5f * b.low + 0.5f * b.high;
-    const float radius = b.isInfinite ? std::numeric_limits<float>::infinity() : 0.5f * glm::length(b.high - b.low);
+    const float radius =
+        b.isInfinite ? std::numeric_limits<float>::infinity() : 0.5f * glm::length(b.high - b.low);
     // The axis is rounded when packed: by less than this.
     const float cosCone = std::cos(std::min(std::acos(std::clamp(b.cosCone, -1.0f, 1.0f)) + 1e-3f, kPi));
-    texels.emplace_back(std::bit_cast<uint>(centre.x), std::bit_cast<uint>(centre.y), std::bit_cast<uint>(centre.z),
-                        std::bit_cast<uint>(radius));
-    texels.emplace_back(std::bit_cast<uint>(b.power), packNormal(b.axis), std::bit_cast<uint>(cosCone), node.content);
+    texels.emplace_back(std::bit_cast<uint>(centre.x), std::bit_cast<uint>(centre.y),
+                        std::bit_cast<uint>(centre.z), std::bit_cast<uint>(radius));
+    texels.emplace_back(std::bit_cast<uint>(b.power), packNormal(b.axis), std::bit_cast<uint>(cosCone),
+                        node.content);
   }
 
   std::span<const LightBounds> lights_;
@@ -141,7 +147,8 @@ LightBounds boundLight(const Scene& scene, const Light& light) {
   bounds.power = light.power;
   if (light.kind == kLightDirectional || light.kind == kLightEnvironment) {
     bounds.isInfinite = true;
-    // In the unit of a node's weight, power over squared distance: a Lambertian light brings its power / (pi d²).
+    // In the unit of a node's weight, power over squared distance: a Lambertian light brings its power / (pi
+    // d²).
     bounds.power = kPi * meanOf(light.emission) * (light.kind == kLightEnvironment ? kPi : 1.0f);
     return bounds;
   }

@@ -11,8 +11,8 @@ namespace importon {
 struct LightBounds {
   vec3 low{0.0f}, high{0.0f};  // m, render space
   vec3 axis{0.0f, 0.0f, 1.0f};
-  float cosCone = -1;          // of the half-angle around the axis that holds all directions of strongest emission
-  float power = 0;             // W; of infinite lights the irradiance that they bring, W/m²
+  float cosCone = -1;  // of the half-angle around the axis that holds all directions of strongest emission
+  float power = 0;     // W; of infinite lights the irradiance that they bring, W/m²
   bool isInfinite = false;
 };
 

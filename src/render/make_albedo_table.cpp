@@ -1,6 +1,6 @@
-// Writes the tables of directional albedo as C++ initialisers to stdout; runs during the build. Each entry is the
-// mean weight of a direction sampled by visible normals, over a grid of sample points, for the same microfacets as
-// shaders/lib/ggx.glsl. [Heitz 2018; Kulla and Conty 2017]
+// Writes the tables of directional albedo as C++ initialisers to stdout; runs during the build. Each entry is
+// the mean weight of a direction sampled by visible normals, over a grid of sample points, for the same
+// microfacets as shaders/lib/ggx.glsl. [Heitz 2018; Kulla and Conty 2017]
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -64,7 +64,8 @@ double fresnel(double cosine, double eta) {
   const double sin2 = (1 - cosine * cosine) / (eta * eta);
   if (sin2 >= 1) return 1;
   const double inner = std::sqrt(1 - sin2);
-  const double p = (eta * cosine - inner) / (eta * cosine + inner), s = (cosine - eta * inner) / (cosine + eta * inner);
+  const double p = (eta * cosine - inner) / (eta * cosine + inner),
+               s = (cosine - eta * inner) / (cosine + eta * inner);
   return 0.5 * (p * p + s * s);
 }
 

@@ -58,12 +58,15 @@ std::vector<float> environmentDensities(const EnvironmentMap& map) {
     }
   }
   std::vector<float> densities;
-  for (const double value : light) densities.push_back(static_cast<float>(sum > 0 ? value / sum : 1 / (4 * kPi)));
+  for (const double value : light)
+    densities.push_back(static_cast<float>(sum > 0 ? value / sum : 1 / (4 * kPi)));
   return densities;
 }
 
 void checkEnvironment(const EnvironmentMap& map, const std::string& where) {
-  const auto fail = [&](const char* what) { throw SceneError(what, where, "give a lat-long image of radiance"); };
+  const auto fail = [&](const char* what) {
+    throw SceneError(what, where, "give a lat-long image of radiance");
+  };
   if (map.width < 1 || map.height < 1) fail("the environment map is empty");
   if (map.texels.size() != static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height))
     fail("the environment map is not whole");

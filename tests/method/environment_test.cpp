@@ -78,7 +78,8 @@ TEST_F(Environments, DrawDirectionsWithTheStatedDensity) {
     std::vector<double> counts(cells), expected(cells);
     std::vector<Query> centres(cells);
     for (const Answer& a : ask(map, queries)) {
-      const double azimuth = 0.5 + std::atan2(static_cast<double>(a.sampled.x), -static_cast<double>(a.sampled.z)) / (2 * M_PI);
+      const double azimuth =
+          0.5 + std::atan2(static_cast<double>(a.sampled.x), -static_cast<double>(a.sampled.z)) / (2 * M_PI);
       const double height = std::acos(std::clamp(static_cast<double>(a.sampled.y), -1.0, 1.0)) / M_PI;
       const int x = std::min(static_cast<int>(azimuth * map.width), map.width - 1);
       const int y = std::min(static_cast<int>(height * map.height), map.height - 1);
@@ -90,17 +91,20 @@ TEST_F(Environments, DrawDirectionsWithTheStatedDensity) {
       const auto width = static_cast<std::size_t>(map.width);
       const double azimuth = 2 * M_PI * ((static_cast<double>(i % width) + 0.5) / map.width - 0.5);
       const double height = M_PI * (static_cast<double>(i / width) + 0.5) / map.height;
-      centres[i].direction = vec3(std::sin(height) * std::sin(azimuth), std::cos(height), -std::sin(height) * std::cos(azimuth));
+      centres[i].direction =
+          vec3(std::sin(height) * std::sin(azimuth), std::cos(height), -std::sin(height) * std::cos(azimuth));
     }
     const auto answers = ask(map, centres);
     double sum = 0;
     for (std::size_t i = 0; i < cells; ++i) {
       const int row = static_cast<int>(i) / map.width;
-      const double solidAngle = 2 * M_PI / map.width * (std::cos(M_PI * row / map.height) - std::cos(M_PI * (row + 1) / map.height));
+      const double solidAngle =
+          2 * M_PI / map.width * (std::cos(M_PI * row / map.height) - std::cos(M_PI * (row + 1) / map.height));
       expected[i] = static_cast<double>(answers[i].pdf) * solidAngle * kSamples;
       sum += expected[i] / kSamples;
       const vec3 texel = map.texels[i];
-      // In its centre the texel shows alone, but for a thousandth, as far as devices round arcs, of the sun beside it.
+      // In its centre the texel shows alone, but for a thousandth, as far as devices round arcs, of the sun
+      // beside it.
       ASSERT_NEAR(glm::length(answers[i].radiance - texel), 0, 1e-3 * glm::length(vec3(60.0f)));
     }
     EXPECT_NEAR(sum, 1, 1e-5);
@@ -115,14 +119,16 @@ TEST_F(Environments, StandAsDocumented) {
   map.texels[1] = vec3(1, 0, 0);  // above, left of the middle: towards -x -z
   map.texels[6] = vec3(0, 1, 0);  // below, right of it
   const float s = std::sqrt(0.25f), c = std::sqrt(0.5f);
-  const auto answers = ask(map, {{vec2(0.5f), vec3(-s, c, -s)}, {vec2(0.5f), vec3(s, -c, -s)}, {vec2(0.5f), vec3(s, c, s)}});
+  const auto answers =
+      ask(map, {{vec2(0.5f), vec3(-s, c, -s)}, {vec2(0.5f), vec3(s, -c, -s)}, {vec2(0.5f), vec3(s, c, s)}});
   EXPECT_NEAR(answers[0].radiance.x, 1, 1e-4);
   EXPECT_NEAR(answers[1].radiance.y, 1, 1e-4);
   EXPECT_NEAR(glm::length(answers[2].radiance), 0, 1e-4);
 }
 
 TEST_F(Environments, OfOneTexelAreConstant) {
-  for (const Answer& a : ask({1, 1, {vec3(0.7f)}}, {{vec2(0.1f, 0.9f), vec3(1, 0, 0)}, {vec2(0.6f, 0.2f), vec3(0, -1, 0)}})) {
+  for (const Answer& a :
+       ask({1, 1, {vec3(0.7f)}}, {{vec2(0.1f, 0.9f), vec3(1, 0, 0)}, {vec2(0.6f, 0.2f), vec3(0, -1, 0)}})) {
     EXPECT_EQ(a.radiance, vec3(0.7f));
     EXPECT_NEAR(a.pdf * 4 * M_PI, 1, 1e-6);
   }

@@ -1,9 +1,10 @@
 // lib/light_tree.glsl: lights are chosen with the probability that is stated, and near ones more often.
+#include "render/light_tree.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "render/light_tree.h"
 #include "support/gpu_test.h"
 #include "support/statistics.h"
 #include "test_kernels/registry.h"
@@ -59,8 +60,9 @@ class LightTree : public test::GpuTest {
     bindings.set(1, output);
     bindings.set(2, tree);
     gpu::Recorder recorder(context());
-    recorder.dispatch(kernel, bindings, queries.size(),
-                      Push{static_cast<std::uint32_t>(queries.size()), static_cast<std::uint32_t>(lights.size())});
+    recorder.dispatch(
+        kernel, bindings, queries.size(),
+        Push{static_cast<std::uint32_t>(queries.size()), static_cast<std::uint32_t>(lights.size())});
     recorder.submitAndWait();
     return output.download<Answer>(queries.size());
   }
@@ -97,7 +99,8 @@ TEST_F(LightTree, LightsAreChosenWithTheStatedProbability) {
     const auto answers = ask(lights, queries);
     std::vector<double> counts(kLights), expected(kLights);
     double sum = 0;
-    for (std::size_t i = 0; i < kLights; ++i) sum += expected[i] = static_cast<double>(answers[i].probability) * kSamples;
+    for (std::size_t i = 0; i < kLights; ++i)
+      sum += expected[i] = static_cast<double>(answers[i].probability) * kSamples;
     for (double& e : expected) e *= kSamples / sum;
     for (const Answer& a : answers) {
       ++counts[a.chosen];
@@ -108,7 +111,11 @@ TEST_F(LightTree, LightsAreChosenWithTheStatedProbability) {
 }
 
 TEST_F(LightTree, NearLightsThatFaceThePointAreLikelier) {
-  std::vector<LightBounds> lights(3, LightBounds{.low = vec3(-1, 0, 0), .high = vec3(-0.9f, 0.1f, 0.1f), .axis = vec3(1, 0, 0), .cosCone = 1, .power = 1});
+  std::vector<LightBounds> lights(3, LightBounds{.low = vec3(-1, 0, 0),
+                                                 .high = vec3(-0.9f, 0.1f, 0.1f),
+                                                 .axis = vec3(1, 0, 0),
+                                                 .cosCone = 1,
+                                                 .power = 1});
   lights[1].axis = -lights[1].axis;  // turned away
   lights[2].low -= vec3(5, 0, 0);    // far away
   lights[2].high -= vec3(5, 0, 0);

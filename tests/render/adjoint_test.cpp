@@ -26,8 +26,10 @@ uint addTexture(Scene& scene, const std::vector<uint>& texels, bool isSrgb, floa
 void addRelief(Scene& scene, uint material, const glm::dvec3& normal) {
   glm::dvec3 tangent, bitangent;
   tangentFrame(normal, tangent, bitangent);
-  scene.materials[material].baseColorTexture = addTexture(scene, {0xFFFFFFFFu, 0xFF8080C0u, 0xFF80C080u, 0xFFC0C0C0u}, true, 7);
-  scene.materials[material].normalTexture = addTexture(scene, {0xFFF080A8u, 0xFFF08058u, 0xFFF0A880u, 0xFFF05880u}, false, 11);
+  scene.materials[material].baseColorTexture =
+      addTexture(scene, {0xFFFFFFFFu, 0xFF8080C0u, 0xFF80C080u, 0xFFC0C0C0u}, true, 7);
+  scene.materials[material].normalTexture =
+      addTexture(scene, {0xFFF080A8u, 0xFFF08058u, 0xFFF0A880u, 0xFFF05880u}, false, 11);
   for (const Triangle& t : scene.triangles) {
     if (t.material != material) continue;
     for (const uint vertex : {t.v0, t.v1, t.v2}) scene.vertices[vertex].tangent = packTangent(tangent, false);

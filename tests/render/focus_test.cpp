@@ -1,4 +1,5 @@
-// Where light is brought together: a ball of glass and an ellipsoid mirror; and lights of very different strength.
+// Where light is brought together: a ball of glass and an ellipsoid mirror; and lights of very different
+// strength.
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -11,8 +12,8 @@ constexpr int kSize = 16;
 
 class Focus : public RenderTest {};
 
-/// What an orthographic camera sees along the axis of a ball of glass of radius 1: a small emitter behind it, at this
-/// distance from the centre. The image spans 0.08 to each side of the axis.
+/// What an orthographic camera sees along the axis of a ball of glass of radius 1: a small emitter behind it,
+/// at this distance from the centre. The image spans 0.08 to each side of the axis.
 Image throughBall(double distance) {
   SceneBuilder builder;
   builder.icosphere(builder.material(glass(1.5f)), {0, 0, 0}, 1, 6, Facing::outside, Shading::smooth);
@@ -26,8 +27,8 @@ Image throughBall(double distance) {
   return renderScene(job, scene).image;
 }
 
-/// Case 17: rays near the axis meet n / (2 (n - 1)) = 1.5 radii behind the centre. There, all see the emitter, but for
-/// what the two surfaces turn back; half-way to the ball a square of a fifth of the side does.
+/// Case 17: rays near the axis meet n / (2 (n - 1)) = 1.5 radii behind the centre. There, all see the emitter,
+/// but for what the two surfaces turn back; half-way to the ball a square of a fifth of the side does.
 TEST_F(Focus, OfGlassBallLiesThreeQuartersOfItsDiameterBehindTheCentre) {
   EXPECT_TRUE(hasMean(momentsOf(valuesOf(throughBall(1.5))), 0.96 * 0.96));
   EXPECT_LT(meanOf(throughBall(1.25)), 0.9 * 0.96 * 0.96);
@@ -38,7 +39,8 @@ TEST_F(Focus, OfGlassBallLiesThreeQuartersOfItsDiameterBehindTheCentre) {
 TEST_F(Focus, OfEllipsoidMirrorKeepsPowerInOnePoint) {
   SceneBuilder builder;
   builder.icosphere(builder.material(mirror()), {0, 0, 0}, 1, 5, Facing::inside, Shading::flat);
-  builder.icosphere(builder.material(diffuse(vec3(0.5f))), {0.6, 0, 0}, 0.06, 1, Facing::outside, Shading::flat);
+  builder.icosphere(builder.material(diffuse(vec3(0.5f))), {0.6, 0, 0}, 0.06, 1, Facing::outside,
+                    Shading::flat);
   builder.pointLight({-0.75, 0, 0}, vec3(1.0f));
   builder.camera({0.3, 0.1, 0}, {0.75, 0, 0}, 0.3, kSize, kSize);
   Scene scene = builder.finish();

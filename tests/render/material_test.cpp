@@ -25,11 +25,12 @@ Scene plateBeforeLight(const Material& material) {
   return builder.finish();
 }
 
-/// Case 43. Reflectance 0.8 at normal incidence, whether a mirror or just not one any more; the table of directional
-/// albedo is true to 0.004.
+/// Case 43. Reflectance 0.8 at normal incidence, whether a mirror or just not one any more; the table of
+/// directional albedo is true to 0.004.
 TEST_F(Materials, BrightnessDoesNotJumpWhereMirrorTurnsGlossy) {
   for (const float roughness : {0.0f, 0.03f, 0.033f, 0.06f}) {
-    const Moments values = momentsOf(valuesOf(renderScene(jobOf(16), plateBeforeLight(metal(vec3(0.8f), roughness))).image));
+    const Moments values =
+        momentsOf(valuesOf(renderScene(jobOf(16), plateBeforeLight(metal(vec3(0.8f), roughness))).image));
     EXPECT_NEAR(values.mean(), 0.8, 0.004 + 4 * values.standardError()) << roughness;
   }
 }
@@ -67,7 +68,8 @@ TEST_F(Materials, ShadingNormalsLetNoLightThroughTheBack) {
     builder.pointLight({0.1, 0.2, 0}, vec3(10.0f));  // inside
     builder.camera({0, 1, 4}, {0, -0.5, 0}, 0.8, kSize, kSize);
     for (const Integrator integrator : {Integrator::path, Integrator::photon})
-      for (const float value : valuesOf(renderScene(jobOf(4, integrator), builder.finish()).image)) ASSERT_EQ(value, 0.0f);
+      for (const float value : valuesOf(renderScene(jobOf(4, integrator), builder.finish()).image))
+        ASSERT_EQ(value, 0.0f);
   }
 }
 
