@@ -73,18 +73,20 @@ std::vector<Entry> listMaps(KernelSet& k) {
 
 }  // namespace
 
-KernelSet makeKernels(gpu::Context& context, const FeatureSet& features, Integrator integrator, int threads) {
+KernelSet makeKernels(gpu::Context& context, const FeatureSet& features, const RenderJob& job) {
   KernelSet set;
-  std::vector<Entry> entries = listCommon(set, integrator, features.hasAlpha);
-  if (integrator == Integrator::photon) {
+  std::vector<Entry> entries = listCommon(set, job.integrator, features.hasAlpha);
+  if (job.integrator == Integrator::photon) {
     for (Entry& entry : listMaps(set)) entries.push_back(std::move(entry));
   }
   std::vector<gpu::Specialization> common = specializations(features);
   common.push_back({kSpecTraceInvocations, context.limits().isCpu ? kTraceInvocationsOnCpu : kTraceInvocationsOnGpu});
-  parallelFor(entries.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+  common.push_back({kSpecDispatchWorkgroup, job.workgroupSize});
+  parallelFor(entries.size(), 1, job.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       std::vector<gpu::Specialization> all = common;
       all.insert(all.end(), entries[i].extra.begin(), entries[i].extra.end());
+      if (entries[i].kernel != &set.scan) all.push_back({kSpecWorkgroupSize, job.workgroupSize});
       *entries[i].kernel = gpu::Kernel(context, entries[i].label, kernels::spirv(entries[i].module), all);
     }
   });

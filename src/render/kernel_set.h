@@ -17,8 +17,7 @@ struct KernelSet {
   gpu::Kernel cellFind, cellClaim, cellSettle, cellAdd, cellClear;
 };
 
-/// Compiles what `features` and `integrator` call for, on up to `threads` threads (0: all).
-[[nodiscard]] KernelSet makeKernels(gpu::Context& context, const FeatureSet& features, Integrator integrator,
-                                    int threads);
+/// Compiles what `features` and the job's integrator call for, on as many threads as the job has.
+[[nodiscard]] KernelSet makeKernels(gpu::Context& context, const FeatureSet& features, const RenderJob& job);
 
 }  // namespace importon

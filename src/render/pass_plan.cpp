@@ -33,7 +33,7 @@ float chooseFluxScale(double power, int maxDepth) {
 
 }  // namespace
 
-PassPlan planPasses(const RenderJob& job, glm::ivec2 size, const gpu::Limits& limits) {
+PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2 size, const gpu::Limits& limits) {
   const std::uint64_t pixels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
   const std::uint64_t events = static_cast<std::uint64_t>(job.maxDepth) + 1;
   PassPlan plan;
@@ -48,7 +48,8 @@ PassPlan planPasses(const RenderJob& job, glm::ivec2 size, const gpu::Limits& li
     plan.workspace.entries = plan.workspace.slots;
     return plan;
   }
-  plan.photons = job.photons.value_or(static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pixels, 1u << 16, 1u << 20)));
+  plan.photons = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pixels, 1u << 16, 1u << 20));
+  if (job.photons) plan.photons = std::max(*job.photons / (features.needsCausticMap ? 2 : 1), 1u);
   const std::uint64_t mostRecords = limits.maxStorageBufferRange / sizeof(MapPoint);
   plan.batch = std::min({plan.photons, job.photonBatch.value_or(limits.isCpu ? 1u << 16 : 1u << 18),
                          static_cast<std::uint32_t>(std::max<std::uint64_t>(mostRecords / events, 1))});

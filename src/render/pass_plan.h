@@ -7,7 +7,7 @@
 namespace importon {
 
 struct PassPlan {
-  std::uint32_t photons = 0;    // emitted per pass; 0: no maps
+  std::uint32_t photons = 0;    // emitted per pass for each map; 0: no maps
   std::uint32_t batch = 0;      // traced at once
   std::uint32_t importons = 0;
   std::uint32_t samples = 1;    // camera paths, and so gather rays, per pixel and pass
@@ -20,7 +20,8 @@ struct PassPlan {
 };
 
 /// Chooses counts for an image of `size` pixels on a device of `limits`.
-[[nodiscard]] PassPlan planPasses(const RenderJob& job, glm::ivec2 size, const gpu::Limits& limits);
+[[nodiscard]] PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2 size,
+                                  const gpu::Limits& limits);
 
 /// Parameters that hold for all passes: camera, scene, map settings.
 [[nodiscard]] Parameters makeParameters(const RenderJob& job, const Scene& scene, const PassPlan& plan,

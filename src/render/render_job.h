@@ -48,6 +48,7 @@ struct RenderJob {
   std::filesystem::path resume;              // a checkpoint to go on from; empty: none
   std::filesystem::path reference;           // adds the error against it to the statistics; empty: none
   bool validation = false;
+  std::uint32_t workgroupSize = 64;          // invocations; the image does not depend on it
   bool forcesAllFeatures = false;            // every feature on: must give the same image
   std::vector<std::string> commandLine;
 };

@@ -58,7 +58,7 @@ RenderSession::RenderSession(const RenderJob& job, const Scene& scene, Log& log)
   const Clock::time_point start = Clock::now();
   deviceScene_ = uploadScene(*context_, scene, bvh);
   surfaceArea_ = surfaceArea(scene);
-  plan_ = planPasses(job, size_, context_->limits());
+  plan_ = planPasses(job, features_, size_, context_->limits());
   parameters_ = makeParameters(job, scene, plan_, size_);
   work_.emplace(*context_, plan_.workspace);
   deviceScene_.bind(work_->table);
@@ -77,7 +77,7 @@ RenderSession::RenderSession(const RenderJob& job, const Scene& scene, Log& log)
 void RenderSession::loadDevice() {
   const Clock::time_point start = Clock::now();
   context_ = std::make_unique<gpu::Context>(gpu::ContextOptions{job_.device, job_.validation});
-  kernels_ = makeKernels(*context_, features_, job_.integrator, job_.threads);
+  kernels_ = makeKernels(*context_, features_, job_);
   stats_.seconds.device = secondsSince(start);
 }
 

@@ -9,9 +9,9 @@ namespace importon::test {
 MapRig::MapRig(gpu::Context& context, const Scene& scene, const RenderJob& job)
     : features_(findFeatures(scene, job)), context_(context) {
   const glm::ivec2 size = chooseSize(chooseCamera(scene, job), job);
-  kernels_ = makeKernels(context, features_, job.integrator, job.threads);
+  kernels_ = makeKernels(context, features_, job);
   deviceScene_ = uploadScene(context, scene, buildBvh(scene.positions, scene.triangles));
-  plan = planPasses(job, size, context.limits());
+  plan = planPasses(job, features_, size, context.limits());
   parameters = makeParameters(job, scene, plan, size);
   work_.emplace(context, plan.workspace);
   deviceScene_.bind(work_->table);

@@ -36,6 +36,16 @@ TEST_P(Invariance, TwiceTheLightIsTwiceTheImage) {
   EXPECT_TRUE(haveSameBits(once, twice));
 }
 
+TEST_P(Invariance, WorkgroupsOfAnySizeGiveTheSameBits) {
+  const Scene scene = room(vec3(3, 2, 1), vec3(0.3f)).finish();
+  const Image usual = renderScene(job(), scene).image;
+  for (const std::uint32_t size : {8u, 32u, 128u}) {
+    RenderJob other = job();
+    other.workgroupSize = size;
+    EXPECT_TRUE(haveSameBits(usual, renderScene(other, scene).image)) << "workgroups of " << size;
+  }
+}
+
 TEST_P(Invariance, ChannelsDoNotMix) {
   const Image image = renderScene(job(), room(vec3(3, 3e-6f, 0), vec3(0.3f, 0.3e-6f, 0)).finish()).image;
   for (const float blue : valuesOf(image, "B")) ASSERT_EQ(blue, 0.0f);
