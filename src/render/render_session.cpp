@@ -81,12 +81,6 @@ void RenderSession::loadDevice() {
   stats_.seconds.device = secondsSince(start);
 }
 
-void RenderSession::submit(double& seconds) {
-  const Clock::time_point start = Clock::now();
-  recorder_->submitAndWait();
-  seconds += secondsSince(start);
-}
-
 void RenderSession::findImportance() {
   const Clock::time_point start = Clock::now();
   buildImportance(*stage_, parameters_, importance_, plan_.importons, plan_.nearestImportons,
@@ -161,9 +155,11 @@ void RenderSession::controlHarder() {
 }
 
 void RenderSession::fillMaps() {
+  const Clock::time_point start = Clock::now();
   fillMap(*globalMap_, MapKind::global, importance_.global, globalGuide_);
   if (causticMap_) fillMap(*causticMap_, MapKind::caustic, importance_.caustic, causticGuide_);
-  submit(stats_.seconds.photons);
+  recorder_->submitAndWait();
+  stats_.seconds.photons += secondsSince(start);
 }
 
 void RenderSession::fillMap(PhotonMap& map, MapKind kind, const ImportanceMap& importance,
@@ -188,12 +184,14 @@ EyeMaps RenderSession::eyeMaps() const {
 }
 
 void RenderSession::gatherImage(int pass) {
+  const Clock::time_point start = Clock::now();
   for (const FilmTile& tile : film_->tiles()) {
     const uint half = pass % 2 == 0 ? 0 : tile.count;
     for (uint sample = 0; sample < plan_.samples; ++sample)
       traceImage(*stage_, eyeMaps(), sample, tile.first, tile.count, parameters_.maxDepth, tile.pixels, half);
   }
-  submit(stats_.seconds.gather);
+  recorder_->submitAndWait();
+  stats_.seconds.gather += secondsSince(start);
 }
 
 void RenderSession::addCounts(PhotonMapStats& stats, const PhotonMapCounts& counts, const char* map) {

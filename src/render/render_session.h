@@ -66,7 +66,6 @@ class RenderSession {
   [[nodiscard]] bool isMapFull() const;
   /// Lowers the required density so that the maps fit in memory; warns.
   void controlHarder();
-  void submit(double& seconds);
   void addCounts(PhotonMapStats& stats, const PhotonMapCounts& counts, const char* map);
   [[nodiscard]] EyeMaps eyeMaps() const;
   void addAovs(Image& image, const FilmLayers& layers);
