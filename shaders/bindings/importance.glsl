@@ -8,8 +8,6 @@ layout(binding = kBindingImportonPoints) uniform usamplerBuffer importonPoints;
 layout(binding = kBindingImportance) uniform samplerBuffer importances;
 layout(binding = kBindingImportonHits) uniform usamplerBuffer importonHits;
 
-const float kFewestPhotons = 8.0;  // that a lookup holds on average in a pass where the map is thin
-
 uvec2 importonCell(uint slot) { return texelFetch(importonCells, int(slot)).xy; }
 uvec4 importonPoint(uint i) { return texelFetch(importonPoints, int(i)); }
 float importonImportance(uint i) { return texelFetch(importances, int(i)).x; }
@@ -49,12 +47,12 @@ float lookupDensity(MapSettings map, vec3 position, vec3 normal) {
   if (params.pass == 0u || importon == kNone) return required;
   const float perArea = importonImportance(importon) / (map.importonFlux * float(kImportonsPerSite));
   const float hits = (float(texelFetch(importonHits, int(importon)).x) + 0.5) / float(min(params.pass + 1u, kCountingPasses));
-  const float available = hits * perArea * (params.lookupPhotons / kFewestPhotons) * params.densityScale;
+  const float available = hits * perArea * (map.lookupPhotons / map.fewestPhotons) * params.densityScale;
   return clamp(available, min(map.densityFloor * params.densityScale, required), required);
 }
 
 /// Radius of the lookup that holds M photons where the map has its required density, m.
-float lookupRadius(float required) { return radiusHolding(params.lookupPhotons, required, params.gridExtent); }
+float lookupRadius(MapSettings map, float density) { return radiusHolding(map.lookupPhotons, density, params.gridExtent); }
 
 /// Radius of the quota: holds Q photons, m.
 float quotaRadius(float required) { return radiusHolding(params.quotaPhotons, required, params.gridExtent); }

@@ -31,5 +31,5 @@ void main() {
   const uint base = kAovFloats * slot + push.isGlobal;
   aov[base + kAovImportance] = importanceAt(map, s.position, s.geometricNormal);
   aov[base + kAovRequired] = required;
-  aov[base + kAovDensity] = storedDensity(s.position, s.geometricNormal, lookupRadius(lookupDensity(map, s.position, s.geometricNormal)));
+  aov[base + kAovDensity] = storedDensity(s.position, s.geometricNormal, lookupRadius(map, lookupDensity(map, s.position, s.geometricNormal)));
 }

@@ -18,7 +18,7 @@ bool readsGlobalMap(PathState path, Surface s, out float radius) {
   radius = 0.0;
   if (kEyeMode == kEyePath || !kHasGlobalMap || (path.flags & kPathScattered) == 0u) return false;
   if (push.knowsImportance == 0u) return true;
-  radius = lookupRadius(lookupDensity(params.globalMap, s.position, s.geometricNormal));
+  radius = lookupRadius(params.globalMap, lookupDensity(params.globalMap, s.position, s.geometricNormal));
   return path.distance > 2.0 * radius || (path.flags & kPathDepthMask) >= params.maxDepth;
 }
 

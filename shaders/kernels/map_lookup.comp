@@ -55,7 +55,7 @@ void main() {
   if (radius <= 0.0) {
     MapSettings map = params.causticMap;
     if (push.isGlobal != 0u) map = params.globalMap;
-    radius = lookupRadius(lookupDensity(map, s.position, s.geometricNormal));
+    radius = lookupRadius(map, lookupDensity(map, s.position, s.geometricNormal));
   }
   const vec3 light = vertex.throughput * reflectedRadiance(s, vertex.direction, radius);
   // kPathLookupDeep: the vertex was reached by a gather ray.

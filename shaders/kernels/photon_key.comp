@@ -17,7 +17,7 @@ void main() {
   if (push.isFinished != 0u) {
     MapSettings map = params.causticMap;
     if (push.isGlobal != 0u) map = params.globalMap;
-    level = gridLevel(frame, lookupRadius(lookupDensity(map, point.position, mapPointNormal(point.packed))));
+    level = gridLevel(frame, lookupRadius(map, lookupDensity(map, point.position, mapPointNormal(point.packed))));
     photonPoints[i].packed = withMapPointLevel(point.packed, level);
   }
   atomicOr(counters[kCounterStoredLevels], 1u << level);

@@ -14,6 +14,8 @@ struct MapSettings {
   uint recordMask;        // kRecordCaustic or kRecordGlobal
   float importonFlux;     // pixels that each importon of the map started with
   float densityLimit;     // photons/m²: most required density, for what memory holds
+  float lookupPhotons;    // M: photons within a lookup radius where the map has its required density
+  float fewestPhotons;    // as many on average where the map is thin
 };
 
 /// The same for every kernel of a pass. Lengths in m, render space.
@@ -37,7 +39,6 @@ struct Parameters {
   uint pass;                 // from 0; importance has its own random streams
   uint maxDepth;             // scattering events
   float fluxScale;           // units of fixed-point flux per W, a power of two
-  float lookupPhotons;       // M: photons within a lookup radius where the map has its required density
   float quotaPhotons;        // Q: photons within a quota radius
   uint photonsPerPass;
   uint samplesPerPass;       // camera paths, and so gather rays, of each pixel in a pass

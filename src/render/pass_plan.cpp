@@ -7,20 +7,29 @@
 namespace importon {
 namespace {
 
-constexpr double kLookupPhotons = 20;       // M of a lookup
+struct LookupPhotons {
+  double required, fewest;
+};
+
+// Photons of a lookup, M, and the fewest on average where the map is thin. What the camera sees directly must not be
+// noisy; gathers average many lookups, and a small radius loses less light at edges.
+constexpr LookupPhotons kCausticLookup{20, 8}, kGlobalLookup{8, 5};
+constexpr double kFloorPhotons = 20;        // within the largest radius, at least
 constexpr double kQuotaPhotons = 8;         // Q
 constexpr int kSamplesPerPass = 4;          // camera paths per pixel that share one photon map
 constexpr double kLargestLookup = 0.025;     // radius over the scene's largest side
 constexpr std::uint64_t kBytesPerPhoton = 96;  // stored, sorted and finished, with its share of the cells
 constexpr uint kImportonLevels = 21;        // grid levels at which an importon may stand
 
-MapSettings mapSettings(const RenderJob& job, double photonsPerPixel, uint mask, double extent) {
+MapSettings mapSettings(const RenderJob& job, double photonsPerPixel, uint mask, double extent, LookupPhotons lookup) {
   const double radius = kLargestLookup * extent;
   MapSettings map{};
   map.photonsPerPixel = static_cast<float>(photonsPerPixel);
   map.constantDensity = static_cast<float>(job.constantDensity.value_or(0));
-  map.densityFloor = static_cast<float>(kLookupPhotons / (M_PI * radius * radius));
+  map.densityFloor = static_cast<float>(kFloorPhotons / (M_PI * radius * radius));
   map.recordMask = mask;
+  map.lookupPhotons = static_cast<float>(lookup.required);
+  map.fewestPhotons = static_cast<float>(lookup.fewest);
   map.densityLimit = std::numeric_limits<float>::max();
   return map;
 }
@@ -90,12 +99,11 @@ Parameters makeParameters(const RenderJob& job, const Scene& scene, const PassPl
   p.samplesPerPass = plan.samples;
   p.maxDepth = static_cast<uint>(job.maxDepth);
   p.fluxScale = chooseFluxScale(power, job.maxDepth);
-  p.lookupPhotons = static_cast<float>(kLookupPhotons);
   p.quotaPhotons = static_cast<float>(kQuotaPhotons);
   p.densityScale = 1;
   p.importonFlux = 1;
-  p.causticMap = mapSettings(job, job.causticDensity, kRecordCaustic, longest);
-  p.globalMap = mapSettings(job, job.globalDensity, kRecordGlobal, longest);
+  p.causticMap = mapSettings(job, job.causticDensity, kRecordCaustic, longest, kCausticLookup);
+  p.globalMap = mapSettings(job, job.globalDensity, kRecordGlobal, longest, kGlobalLookup);
   return p;
 }
 

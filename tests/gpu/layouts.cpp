@@ -32,11 +32,11 @@ std::vector<HostLayout> hostLayouts() {
       IMPORTON_LAYOUT(BvhTriangle, v0, triangle, v1, next, v2, kind),
       // shared/render_data.h
       IMPORTON_LAYOUT(MapSettings, photonsPerPixel, constantDensity, densityFloor, importonLevels,
-                      recordMask, importonFlux, densityLimit),
+                      recordMask, importonFlux, densityLimit, lookupPhotons, fewestPhotons),
       IMPORTON_LAYOUT(Parameters, cameraOrigin, cameraIsOrthographic, cameraForward, width, cameraRight,
                       height, cameraUp, seed, gridOrigin, gridExtent, sceneCentre, sceneRadius,
                       environmentSize, environmentLight, lightCount, totalPower, pass, maxDepth,
-                      fluxScale, lookupPhotons, quotaPhotons, photonsPerPass, samplesPerPass, densityScale,
+                      fluxScale, quotaPhotons, photonsPerPass, samplesPerPass, densityScale,
                       cameraMedium, importonFlux, causticMap, globalMap),
       IMPORTON_LAYOUT(LightAlias, threshold, other, probability),
       IMPORTON_LAYOUT(PathState, throughput, flags, id, medium, outerMedium, pdfSolidAngle, lightWeight, distance),
