@@ -55,9 +55,9 @@ TEST(CliRender, ResumesToTheSameBits) {
 TEST(CliRender, ResumesToTheSamePassByError) {
   const TemporaryFolder folder;
   const std::string state = folder / "state";
-  expectStatus(runImporton(tiny(kRing, folder / "whole.exr", {"--error", "0.2"})), 0);
-  expectStatus(runImporton(tiny(kRing, folder / "part.exr", {"--error", "0.2", "--passes", "5", "--checkpoint", state})), 0);
-  expectStatus(runImporton(tiny(kRing, folder / "o.exr", {"--error", "0.2", "--resume", state})), 0);
+  expectStatus(runImporton(tiny(kRing, folder / "whole.exr", {"--error", "0.1"})), 0);
+  expectStatus(runImporton(tiny(kRing, folder / "part.exr", {"--error", "0.1", "--passes", "5", "--checkpoint", state})), 0);
+  expectStatus(runImporton(tiny(kRing, folder / "o.exr", {"--error", "0.1", "--resume", state})), 0);
   EXPECT_GT(std::stoi(readExr(folder / "whole.exr").attributes.at("importon:passes")), 5);
   EXPECT_EQ(readFile(folder / "o.exr"), readFile(folder / "whole.exr"));
 }
