@@ -58,7 +58,9 @@ PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2
     return plan;
   }
   plan.photons = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pixels, 1u << 16, 1u << 20));
-  if (job.photons) plan.photons = std::max(*job.photons / (features.needsCausticMap ? 2 : 1), 1u);
+  // Both maps share the photons asked for; a caustic map that no surface asks for must not change the image.
+  const bool hasTwoMaps = features.needsCausticMap && !job.forcesAllFeatures;
+  if (job.photons) plan.photons = std::max(*job.photons / (hasTwoMaps ? 2 : 1), 1u);
   const std::uint64_t mostRecords = limits.maxStorageBufferRange / sizeof(MapPoint);
   plan.batch = std::min({plan.photons, job.photonBatch.value_or(limits.isCpu ? 1u << 16 : 1u << 18),
                          static_cast<std::uint32_t>(std::max<std::uint64_t>(mostRecords / events, 1))});
