@@ -18,10 +18,9 @@ void main() {
   MapSettings map = params.causticMap;
   if (push.isGlobal != 0u) map = params.globalMap;
   const vec3 normal = mapPointNormal(point.packed);
-  const uint countedLevels = params.pass < kCountingPasses ? map.importonLevels : 0u;
-  const uint importon = importonAt(importonFrame(), countedLevels, point.position, normal);
-  if (importon != kNone) atomicAdd(hitsOut[importon], 1u);
-  const float density = requiredDensityAt(map, cellImportonAt(importonFrame(), map.importonLevels, point.position, normal));
+  const NearImportons importons = importonsAt(importonFrame(), map.importonLevels, point.position, normal);
+  if (importons.nearest != kNone && params.pass < kCountingPasses) atomicAdd(hitsOut[importons.nearest], 1u);
+  const float density = requiredDensityAt(map, importons.first);
   const uint lightClass = (kind & kRecordGlossy) != 0u ? 1u + directionClass(mapPointDirection(point.packed)) : 0u;
   const uint level = cellLevel(params.gridExtent, normal, density);
   const uint slot = findCell(cellKey(point.position - params.gridOrigin, params.gridExtent, level, directionClass(normal), lightClass));

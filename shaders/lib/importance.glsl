@@ -8,9 +8,14 @@
 
 const uint kImportonCandidates = 12u;  // of a cell that are looked at
 
-/// Index of the importon whose importance holds at `position` on a surface of `normal`; kNone where none is near.
-/// `levels`: a bit for each grid level in use. The finest level that holds a like importon in the cell decides.
-uint importonAt(GridFrame frame, uint levels, vec3 position, vec3 normal) {
+/// Importons of the finest cell around a point that has any with a like normal; kNone where none is near.
+struct NearImportons {
+  uint nearest;
+  uint first;  // the same for the whole cell
+};
+
+/// `levels`: a bit for each grid level in use.
+NearImportons importonsAt(GridFrame frame, uint levels, vec3 position, vec3 normal) {
   while (levels != 0u) {
     const uint level = uint(findMSB(levels));
     levels ^= 1u << level;
@@ -18,8 +23,8 @@ uint importonAt(GridFrame frame, uint levels, vec3 position, vec3 normal) {
     const uvec2 range = importonCell(gridSlot(frame, cell, level));
     const uint end = min(range.y, range.x + kImportonCandidates);
     const float edge = gridCellEdge(frame, level);
-    float nearest = 3.0e38;
-    uint found = kNone;
+    float least = 3.0e38;
+    NearImportons found = NearImportons(kNone, kNone);
     for (uint i = range.x; i < end; ++i) {
       const uvec4 point = importonPoint(i);
       const vec3 p = uintBitsToFloat(point.xyz);
@@ -27,33 +32,19 @@ uint importonAt(GridFrame frame, uint levels, vec3 position, vec3 normal) {
       const vec3 offset = p - position;
       if (maxComponent(abs(offset)) > edge) continue;  // of another cell that shares the slot
       const float d2 = dot(offset, offset);
-      if (d2 < nearest && hasLikeNormal(point.w, normal, 0.7)) {
-        nearest = d2;
-        found = i;
+      if (d2 < least && hasLikeNormal(point.w, normal, 0.7)) {
+        least = d2;
+        found = NearImportons(i, min(found.first, i));
       }
     }
-    if (found != kNone) return found;
+    if (found.first != kNone) return found;
   }
-  return kNone;
+  return NearImportons(kNone, kNone);
 }
 
-/// Index of an importon whose importance stands for a whole cell around `position`: of those in the finest cell that
-/// has any with a like normal, the first; kNone where none is near.
-uint cellImportonAt(GridFrame frame, uint levels, vec3 position, vec3 normal) {
-  while (levels != 0u) {
-    const uint level = uint(findMSB(levels));
-    levels ^= 1u << level;
-    const ivec3 cell = gridCellOf(frame, position, level);
-    const uvec2 range = importonCell(gridSlot(frame, cell, level));
-    const uint end = min(range.y, range.x + kImportonCandidates);
-    for (uint i = range.x; i < end; ++i) {
-      const uvec4 point = importonPoint(i);
-      if (mapPointLevel(point.w) == level && gridCellOf(frame, uintBitsToFloat(point.xyz), level) == cell &&
-          hasLikeNormal(point.w, normal, 0.7))
-        return i;
-    }
-  }
-  return kNone;
+/// The importon whose importance holds at a point.
+uint importonAt(GridFrame frame, uint levels, vec3 position, vec3 normal) {
+  return importonsAt(frame, levels, position, normal).nearest;
 }
 
 #endif

@@ -153,7 +153,7 @@ PhotonMapCounts PhotonMap::readCounts(const Stage& stage, float fluxScale) const
   PhotonMapCounts counts;
   counts.hits = counters[counter(kMapHits)];
   counts.stored = counters[counter(kMapStored)];
-  counts.overflow = counters[counter(kMapOverflow)];
+  counts.overflow = overflow(counters);
   counts.redistributed = counts.hits - counts.stored - counts.overflow;
   for (std::size_t c = 0; c < 3; ++c) {
     counts.fluxHits[c] = static_cast<double>(totals[c]) / static_cast<double>(fluxScale);

@@ -2,6 +2,7 @@
 /// power to photons that are there.
 #pragma once
 #include <array>
+#include <span>
 
 #include "render/importance.h"
 #include "render/render_job.h"
@@ -31,6 +32,8 @@ class PhotonMap {
   [[nodiscard]] uint levelsCounter() const { return counter(kMapLevels); }
   /// Binds the finished map for map_lookup.
   void bindFinished(gpu::BindingTable& table) const;
+  /// Hits that found no room, by the counters of the workspace.
+  [[nodiscard]] uint overflow(std::span<const uint> counters) const { return counters[counter(kMapOverflow)]; }
   /// Reads what the pass counted, after the device is done with it.
   [[nodiscard]] PhotonMapCounts readCounts(const Stage& stage, float fluxScale) const;
   [[nodiscard]] std::uint64_t bytes() const;

@@ -139,8 +139,8 @@ void RenderSession::shootPhotons(int pass) {
 }
 
 bool RenderSession::isMapFull() const {
-  return globalMap_->readCounts(*stage_, parameters_.fluxScale).overflow > 0 ||
-         (causticMap_ && causticMap_->readCounts(*stage_, parameters_.fluxScale).overflow > 0);
+  const auto counters = work_->counters.download<uint>(kCounterCount);
+  return globalMap_->overflow(counters) > 0 || (causticMap_ && causticMap_->overflow(counters) > 0);
 }
 
 void RenderSession::controlHarder() {
