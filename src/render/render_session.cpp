@@ -85,8 +85,8 @@ void RenderSession::findImportance() {
   const Clock::time_point start = Clock::now();
   buildImportance(*stage_, parameters_, importance_, plan_.importons, plan_.nearestImportons,
                   causticMap_.has_value());
-  // A camera that sees no surface to light needs no photons.
-  if (importance_.global.count == 0 && importance_.caustic.count == 0) plan_.photons = 0;
+  // A camera that sees no surface to light needs no photons, nor does a scene that has no light to shoot them.
+  if (scene_.lights.empty() || (importance_.global.count == 0 && importance_.caustic.count == 0)) plan_.photons = 0;
   trainGuides();
   stats_.importonsEmitted = plan_.importons;
   stats_.importonsCaustic = importance_.caustic.count;
