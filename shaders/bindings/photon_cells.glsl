@@ -25,4 +25,17 @@ uint findCell(CellKey key) {
   return kNone;
 }
 
+/// Slot of the cell if it has been taken for it; kNone: it has not. For tables that no kernel changes meanwhile.
+uint seekCell(CellKey key) {
+  const uint slots = uint(photonCells.length());
+  uint slot, low;
+  umulExtended(key.a, slots, slot, low);
+  for (uint probe = 0u; probe < kMostProbes; ++probe, slot = slot + 1u < slots ? slot + 1u : 0u) {
+    const uint a = photonCells[slot].keyA;
+    if (a == kNone) return kNone;
+    if (a == key.a && photonCells[slot].keyB == key.b) return slot;
+  }
+  return kNone;
+}
+
 #endif

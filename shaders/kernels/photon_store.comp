@@ -17,7 +17,8 @@ void main() {
   }
   const uint i = accepted[k];
   photonPoints[photon] = selectedPoints[i];
-  const vec3 flux = records[selection[i]].flux * params.fluxScale;
+  vec3 flux = records[selection[i]].flux * params.fluxScale;
+  if (push.isWeighted != 0u) flux *= required[i];
   for (uint c = 0u; c < 3u; ++c) {
     const uvec2 units = fixedFromFloat(flux[c]);
     photonFlux[6u * photon + 2u * c] = units.x;

@@ -37,7 +37,7 @@ struct EyeScatterPush {
 
 /// kernels/flux_sum.comp
 struct FluxSumPush {
-  uint isMap;
+  uint what;    // kSum*
   uint source;
 };
 
@@ -147,6 +147,18 @@ struct PhotonScatterPush {
 /// kernels/photon_store.comp
 struct PhotonStorePush {
   uint capacity;
+  uint isWeighted;  // power times the weight that photon_thin noted
+};
+
+/// kernels/photon_thin.comp
+struct PhotonThinPush {
+  uint isGlobal;
+  float floorProbability;
+};
+
+/// kernels/pilot_count.comp
+struct PilotCountPush {
+  uint isGlobal;
 };
 
 /// kernels/record_select.comp

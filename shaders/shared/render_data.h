@@ -150,6 +150,11 @@ SHARED_CONST uint kRecordRankShift = 3u;  // above: a rank by path, then bounce,
 /// Fixed-point units of what a guide learns.
 SHARED_CONST float kGuideUnits = 1024.0f;
 
+// What kernels/flux_sum.comp sums, in the order of its totals.
+SHARED_CONST uint kSumHits = 0u;
+SHARED_CONST uint kSumMap = 1u;
+SHARED_CONST uint kSumKept = 2u;  // hits that photon_thin kept, with their weights
+
 /// A cell of the scene that one stored photon speaks for; see lib/photon_cell.glsl.
 struct PhotonCell {
   uint keyA;    // two hashes of the cell, kNone: free
@@ -176,6 +181,8 @@ SHARED_CONST uint kStreamPixels = 2u;
 SHARED_CONST uint kStreamImportons = 3u;
 SHARED_CONST uint kStreamCausticPhotons = 0x100u;  // plus the state of the guide
 SHARED_CONST uint kStreamGlobalPhotons = 0x200u;
+SHARED_CONST uint kStreamPilot = 0x1000u;  // added to those of photons whose hits are only counted
+SHARED_CONST uint kStreamStorage = 4u;     // plus 1 for the global map: which hits are stored
 
 // Counters: uint each
 SHARED_CONST uint kCounterQueueA = 0u;

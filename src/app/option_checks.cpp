@@ -43,6 +43,10 @@ OptionCheck notNegative(const std::string& unit) {
                             [](double value) { return value >= 0 && std::isfinite(value); });
 }
 
+OptionCheck share() {
+  return numberThat<double>("a number from 0 to 1", [](double value) { return value >= 0 && value <= 1; });
+}
+
 OptionCheck notEmpty() {
   return [](const std::string& text) -> std::string { return text.empty() ? "the value is empty" : ""; };
 }

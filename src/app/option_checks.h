@@ -19,6 +19,9 @@ using OptionCheck = std::function<std::string(const std::string& value)>;
 /// A finite number not below zero.
 [[nodiscard]] OptionCheck notNegative(const std::string& unit);
 
+/// A number from 0 to 1.
+[[nodiscard]] OptionCheck share();
+
 /// Any text but the empty one.
 [[nodiscard]] OptionCheck notEmpty();
 

@@ -166,9 +166,17 @@ void addMethodOptions(CLI::App& app, RenderJob& job) {
 void addDensityOptions(CLI::App& app, RenderJob& job) {
   const std::string group = "Density control";
   addChoice<DensityControl>(app, "--control",
-                            {{"off", DensityControl::off}, {"density", DensityControl::density}}, job.control,
-                            "store all photons, or store or redistribute each by the\nrequired density "
-                            "(default: density)")
+                            {{"off", DensityControl::off},
+                             {"density", DensityControl::density},
+                             {"probability", DensityControl::probability}},
+                            job.control,
+                            "store all photons, store or redistribute each by the required\ndensity, or store "
+                            "each with the probability that the density\nasks for (default: density)")
+      ->group(group);
+  app.add_option("--probability-floor", job.probabilityFloor,
+                 withDefault("least such probability, 0 to 1", job.probabilityFloor))
+      ->check(share())
+      ->type_name("E")
       ->group(group);
   addChoice<EmissionChoice>(app, "--emission",
                             {{"power", EmissionChoice::power}, {"guided", EmissionChoice::guided}}, job.emission,
@@ -295,6 +303,9 @@ void checkRenderCommand(const RenderCommand& command) {
                          files[j].second->string(), "give each its own name");
       }
     }
+  }
+  if (job.probabilityFloor > 0 && job.control != DensityControl::probability) {
+    throw UsageError("--probability-floor needs --control probability", "command line", "give both, or leave it out");
   }
   if (job.constantDensity && job.control == DensityControl::off) {
     throw UsageError("--constant-density needs density control, which --control off leaves out", "command line",

@@ -60,6 +60,8 @@ std::vector<Entry> listMaps(KernelSet& k) {
           {&k.hitKey, "required density", "hit_key", {}},
           {&k.photonQuota, "density quota", "photon_quota", {}},
           {&k.photonStore, "store photons", "photon_store", {}},
+          {&k.pilotCount, "count pilot", "pilot_count", {}},
+          {&k.photonThin, "thin photons", "photon_thin", {}},
           {&k.photonKey, "photon key", "photon_key", {}},
           {&k.cellFind, "find cell", "cell_find", {}},
           {&k.cellClaim, "claim cell", "cell_claim", {}},

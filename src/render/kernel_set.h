@@ -12,7 +12,7 @@ struct KernelSet {
   gpu::Kernel importonEmit, importonScatter, importonCount, importonLevel, importonEntries, importonPoints,
       importonDensity, importonKey, importonResolve;
   gpu::Kernel photonEmit, photonEmitGuided, photonScatter, causticScatter, guideLearn;
-  gpu::Kernel recordSelect, hitKey, photonQuota, photonStore, photonKey,
+  gpu::Kernel recordSelect, hitKey, photonQuota, photonStore, photonThin, pilotCount, photonKey,
       photonRedistribute, photonResolve, fluxSum;
   gpu::Kernel cellFind, cellClaim, cellSettle, cellAdd, cellClear;
 };

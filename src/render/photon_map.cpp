@@ -15,7 +15,7 @@ PhotonMap::PhotonMap(gpu::Context& context, MapKind kind, std::uint64_t capacity
       points_(context, "photon points", capacity * sizeof(MapPoint), TexelFormat::uint4),
       flux_(context, "photon flux", capacity * 6 * sizeof(uint)),
       mapFlux_(context, "map flux", capacity * sizeof(uvec2), TexelFormat::uint2),
-      totals_(context, "flux totals", 12 * sizeof(uint)),
+      totals_(context, "flux totals", 18 * sizeof(uint)),
       cells_(context, "photon cells", (capacity + capacity / 4 + 1) * sizeof(PhotonCell)),
       slots_(context, "photon slots", capacity * sizeof(uint)),
       stored_(context, "stored photons", capacity),
@@ -32,19 +32,18 @@ void PhotonMap::begin(const Stage& stage) {
   hasStored_ = false;
 }
 
-void PhotonMap::store(const Stage& stage, gpu::BindingTable& table) const {
+void PhotonMap::store(const Stage& stage, gpu::BindingTable& table, bool isWeighted) const {
   compact(stage, kCounterSelected, kCounterAccepted, nullptr, stage.work.accepted);
   table.set(kBindingNextQueue, stage.work.accepted);
   overItems(stage, stage.kernels.photonStore, table, kCounterAccepted,
-            PhotonStorePush{static_cast<uint>(capacity_)});
+            PhotonStorePush{static_cast<uint>(capacity_), isWeighted});
 }
 
 void PhotonMap::countStored(const Stage& stage) const {
   setCounter(stage, kCounterStored, 0, kCounterStored, kCounterAccepted, static_cast<uint>(capacity_));
 }
 
-void PhotonMap::addBatch(const Stage& stage, const ImportanceMap& importance, DensityControl control,
-                         uint receivers) {
+void PhotonMap::addBatch(const Stage& stage, const ImportanceMap& importance, const StorageRule& rule) {
   gpu::BindingTable table = stage.work.table;
   importance.bind(table);
   table.set(kBindingPhotonPoints, points_);
@@ -56,15 +55,18 @@ void PhotonMap::addBatch(const Stage& stage, const ImportanceMap& importance, De
   setCounter(stage, kCounterLevels, 0);
 
   selectRecords(stage, recordMask(kind_));
-  overTiles(stage, stage.kernels.fluxSum, table, kCounterSelected, FluxSumPush{0, kCounterSelected});
-  const bool isControlled = control == DensityControl::density;
-  if (isControlled && receivers == 0) {
+  overTiles(stage, stage.kernels.fluxSum, table, kCounterSelected, FluxSumPush{kSumHits, kCounterSelected});
+  const bool isControlled = rule.control == DensityControl::density;
+  isThinned_ = rule.control == DensityControl::probability;
+  if (isThinned_) {
+    controlByProbability(stage, table, rule);
+  } else if (isControlled && rule.receivers == 0) {
     controlByCells(stage, table);
   } else {
     overItems(stage, stage.kernels.hitKey, table, kCounterSelected,
               HitKeyPush{kind_ == MapKind::global, batch_.slotMask, isControlled});
     if (isControlled) {
-      controlByQuota(stage, table, importance, receivers);
+      controlByQuota(stage, table, importance, rule.receivers);
     } else {
       store(stage, table);
       countStored(stage);
@@ -89,6 +91,15 @@ void PhotonMap::controlByCells(const Stage& stage, gpu::BindingTable& table) {
   store(stage, table);
   overItems(stage, kernels.cellSettle, table, kCounterAccepted);
   overItems(stage, kernels.cellAdd, table, kCounterSelected);
+  countStored(stage);
+}
+
+void PhotonMap::controlByProbability(const Stage& stage, gpu::BindingTable& table, const StorageRule& rule) {
+  rule.expected->bind(table);
+  overItems(stage, stage.kernels.photonThin, table, kCounterSelected,
+            PhotonThinPush{kind_ == MapKind::global, rule.probabilityFloor});
+  overTiles(stage, stage.kernels.fluxSum, table, kCounterSelected, FluxSumPush{kSumKept, kCounterSelected});
+  store(stage, table, true);
   countStored(stage);
 }
 
@@ -134,7 +145,7 @@ void PhotonMap::finish(const Stage& stage, const ImportanceMap& importance) {
   table.set(kBindingTotals, totals_);
   table.set(kBindingValuesIn, stored_.order);
   table.set(kBindingPointsOut, mapFlux_);
-  overTiles(stage, stage.kernels.fluxSum, table, kCounterStored, FluxSumPush{1, kCounterStored});
+  overTiles(stage, stage.kernels.fluxSum, table, kCounterStored, FluxSumPush{kSumMap, kCounterStored});
   overItems(stage, stage.kernels.photonResolve, table, kCounterStored);
   if (!hasCells_) return;
   table.set(kBindingPhotonCells, cells_);
@@ -149,16 +160,16 @@ void PhotonMap::bindFinished(gpu::BindingTable& table) const {
 
 PhotonMapCounts PhotonMap::readCounts(const Stage& stage, float fluxScale) const {
   const auto counters = stage.work.counters.download<uint>(kCounterCount);
-  const auto totals = totals_.download<std::uint64_t>(6);  // two words each, low word first
+  const auto totals = totals_.download<std::uint64_t>(9);  // hits, map, kept; two words each, low word first
   PhotonMapCounts counts;
   counts.hits = counters[counter(kMapHits)];
   counts.stored = counters[counter(kMapStored)];
   counts.overflow = overflow(counters);
-  counts.redistributed = counts.hits - counts.stored - counts.overflow;
+  counts.redistributed = isThinned_ ? 0 : counts.hits - counts.stored - counts.overflow;
   for (std::size_t c = 0; c < 3; ++c) {
     counts.fluxHits[c] = static_cast<double>(totals[c]) / static_cast<double>(fluxScale);
     counts.fluxMap[c] = static_cast<double>(totals[3 + c]) / static_cast<double>(fluxScale);
-    counts.isEnergyExact = counts.isEnergyExact && totals[c] == totals[3 + c];
+    counts.isEnergyExact = counts.isEnergyExact && totals[(isThinned_ ? 6 : 0) + c] == totals[3 + c];
   }
   return counts;
 }

@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "render/importance.h"
+#include "render/expected_density.h"
 #include "render/render_job.h"
 
 namespace importon {
@@ -13,7 +13,15 @@ namespace importon {
 struct PhotonMapCounts {
   std::uint64_t hits = 0, stored = 0, redistributed = 0, overflow = 0;
   std::array<double, 3> fluxHits{}, fluxMap{};  // W
-  bool isEnergyExact = true;                    // the two are equal to the last bit of the fixed point
+  bool isEnergyExact = true;  // to the last bit of the fixed point: the two, or by probability what was kept and the map
+};
+
+/// How a map decides which hits it stores.
+struct StorageRule {
+  DensityControl control = DensityControl::density;
+  uint receivers = 0;  // M' nearest photons that share the power of a rejected hit, by the rank quota; 0: that of its cell
+  const ExpectedDensity* expected = nullptr;  // for control by probability
+  float probabilityFloor = 0;
 };
 
 class PhotonMap {
@@ -23,9 +31,8 @@ class PhotonMap {
 
   /// Empties the map for a new pass.
   void begin(const Stage& stage);
-  /// Takes the batch of hits in the workspace's records. `receivers`: the M' nearest photons that share the power of
-  /// a rejected hit, by the rank quota; 0: the one of its cell.
-  void addBatch(const Stage& stage, const ImportanceMap& importance, DensityControl control, uint receivers);
+  /// Takes the batch of hits in the workspace's records.
+  void addBatch(const Stage& stage, const ImportanceMap& importance, const StorageRule& rule);
   /// Sorts the photons for lookups.
   void finish(const Stage& stage, const ImportanceMap& importance);
   /// Number of the counter that has the finished map's grid levels.
@@ -39,16 +46,17 @@ class PhotonMap {
   [[nodiscard]] std::uint64_t bytes() const;
 
  private:
-  void store(const Stage& stage, gpu::BindingTable& table) const;
+  void store(const Stage& stage, gpu::BindingTable& table, bool isWeighted = false) const;
   void countStored(const Stage& stage) const;
   void controlByCells(const Stage& stage, gpu::BindingTable& table);
+  void controlByProbability(const Stage& stage, gpu::BindingTable& table, const StorageRule& rule);
   void controlByQuota(const Stage& stage, gpu::BindingTable& table, const ImportanceMap& importance, uint receivers);
   void buildStoredGrid(const Stage& stage, const ImportanceMap& importance, bool isFinished);
   [[nodiscard]] uint counter(uint which) const;
 
   MapKind kind_;
   std::uint64_t capacity_;
-  bool hasStored_ = false, hasCells_ = false;
+  bool hasStored_ = false, hasCells_ = false, isThinned_ = false;
   gpu::Buffer points_, flux_, mapFlux_, totals_, cells_, slots_;
   PointGrid stored_, batch_;
 };

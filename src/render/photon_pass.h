@@ -8,6 +8,7 @@ namespace importon {
 struct PhotonSource {
   MapKind kind = MapKind::global;
   const EmissionGuide* guide = nullptr;  // null: emission by power
+  bool isPilot = false;                  // with random numbers that no photon of a map has
 };
 
 /// Emits and traces photons `first` .. `first + count` of the pass; their hits are left in the workspace's records.

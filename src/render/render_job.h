@@ -10,7 +10,7 @@ namespace importon {
 
 enum class Integrator { photon, path };
 enum class PixelFilter { box, gaussian, blackmanHarris };  // kFilter* of shared/features.h
-enum class DensityControl { off, density };
+enum class DensityControl { off, density, probability };
 enum class EmissionChoice { automatic, power, guided };
 
 /// Unset optionals are chosen automatically. Names follow the options of `importon render`. What decides the image
@@ -29,6 +29,7 @@ struct RenderJob {
   std::optional<std::uint32_t> photons;      // emitted per pass, at most
   std::optional<std::uint32_t> importons;    // in all
   DensityControl control = DensityControl::density;
+  double probabilityFloor = 0;               // ε: least probability of storing a hit, for control by probability
   EmissionChoice emission = EmissionChoice::automatic;
   std::optional<std::uint32_t> photonBatch;  // photons traced at once
   double causticDensity = 20, globalDensity = 1.5;  // M_r, photons per pixel footprint

@@ -88,6 +88,7 @@ void RenderSession::findImportance() {
   // A camera that sees no surface to light needs no photons, nor does a scene that has no light to shoot them.
   if (scene_.lights.empty() || (importance_.global.count == 0 && importance_.caustic.count == 0)) plan_.photons = 0;
   trainGuides();
+  shootPilot();
   stats_.importonsEmitted = plan_.importons;
   stats_.importonsCaustic = importance_.caustic.count;
   stats_.importonsGlobal = importance_.global.count;
@@ -112,6 +113,28 @@ void RenderSession::trainGuides() {
   train(globalGuide_, MapKind::global, importance_.global, kGlobalBins);
   if (job_.emission == EmissionChoice::automatic && globalGuide_->gain() < kLeastGain) globalGuide_.reset();
   if (causticMap_) train(causticGuide_, MapKind::caustic, importance_.caustic, kCausticBins);
+}
+
+void RenderSession::shootPilot() {
+  if (control_ != DensityControl::probability) return;
+  startPass(0);
+  const auto count = [&](std::optional<ExpectedDensity>& expected, MapKind kind, const ImportanceMap& importance,
+                         const std::optional<EmissionGuide>& guide) {
+    expected.emplace(*context_, kind, plan_.mapCapacity);
+    for (std::uint32_t first = 0; first < plan_.photons; first += plan_.batch) {
+      tracePhotons(*stage_, {kind, guide ? &*guide : nullptr, true}, first,
+                   std::min(plan_.batch, plan_.photons - first), parameters_.maxDepth);
+      expected->count(*stage_, importance);
+    }
+    recorder_->submitAndWait();
+  };
+  count(globalExpected_, MapKind::global, importance_.global, globalGuide_);
+  if (causticMap_) count(causticExpected_, MapKind::caustic, importance_.caustic, causticGuide_);
+}
+
+StorageRule RenderSession::storageRule(MapKind kind) const {
+  const std::optional<ExpectedDensity>& expected = kind == MapKind::global ? globalExpected_ : causticExpected_;
+  return {control_, plan_.receivers, expected ? &*expected : nullptr, static_cast<float>(job_.probabilityFloor)};
 }
 
 void RenderSession::updateGuides() {
@@ -168,7 +191,7 @@ void RenderSession::fillMap(PhotonMap& map, MapKind kind, const ImportanceMap& i
   for (std::uint32_t first = 0; first < plan_.photons; first += plan_.batch) {
     tracePhotons(*stage_, {kind, guide ? &*guide : nullptr}, first, std::min(plan_.batch, plan_.photons - first),
                  parameters_.maxDepth);
-    map.addBatch(*stage_, importance, control_, plan_.receivers);
+    map.addBatch(*stage_, importance, storageRule(kind));
     if (guide && static_cast<int>(parameters_.pass) < kLearningPasses) guide->learn(*stage_, importance, meanImportance());
   }
   map.finish(*stage_, importance);

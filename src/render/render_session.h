@@ -62,6 +62,9 @@ class RenderSession {
   /// Shoots photons whose only use is to teach the guides, and drops those that do not pay.
   void trainGuides();
   void updateGuides();
+  /// Shoots photons whose hits are only counted, for storage by probability.
+  void shootPilot();
+  [[nodiscard]] StorageRule storageRule(MapKind kind) const;
   [[nodiscard]] float meanImportance() const;  // pixels/m², if it were the same everywhere
   [[nodiscard]] bool isMapFull() const;
   /// Lowers the required density so that the maps fit in memory; warns.
@@ -87,6 +90,7 @@ class RenderSession {
   std::optional<Film> film_;
   ImportanceMaps importance_;
   std::optional<PhotonMap> causticMap_, globalMap_;
+  std::optional<ExpectedDensity> causticExpected_, globalExpected_;
   DensityControl control_;
   double surfaceArea_ = 0;  // m²
   std::optional<EmissionGuide> causticGuide_, globalGuide_;

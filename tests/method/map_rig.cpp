@@ -30,7 +30,19 @@ ImportonsFound MapRig::importons(MapKind kind) const {
   return {map.grid.points.download<MapPoint>(sites), map.importance.download<float>(sites)};
 }
 
-PhotonMap MapRig::shoot(MapKind kind, DensityControl control, uint receivers, std::uint64_t capacity) {
+ExpectedDensity MapRig::countPilot(MapKind kind) {
+  ExpectedDensity expected(context_, kind, plan.mapCapacity);
+  work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
+  recorder_->fill(work_->counters, 0);
+  for (std::uint32_t first = 0; first < plan.photons; first += plan.batch) {
+    tracePhotons(*stage_, {kind, nullptr, true}, first, std::min(plan.batch, plan.photons - first), parameters.maxDepth);
+    expected.count(*stage_, kind == MapKind::caustic ? importance.caustic : importance.global);
+  }
+  recorder_->submitAndWait();
+  return expected;
+}
+
+PhotonMap MapRig::shoot(MapKind kind, const StorageRule& rule, std::uint64_t capacity) {
   const ImportanceMap& required = kind == MapKind::caustic ? importance.caustic : importance.global;
   PhotonMap map(context_, kind, capacity != 0 ? capacity : plan.mapCapacity, plan.workspace.records);
   work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
@@ -38,7 +50,7 @@ PhotonMap MapRig::shoot(MapKind kind, DensityControl control, uint receivers, st
   map.begin(*stage_);
   for (std::uint32_t first = 0; first < plan.photons; first += plan.batch) {
     tracePhotons(*stage_, {kind, nullptr}, first, std::min(plan.batch, plan.photons - first), parameters.maxDepth);
-    map.addBatch(*stage_, required, control, receivers);
+    map.addBatch(*stage_, required, rule);
   }
   map.finish(*stage_, required);
   recorder_->submitAndWait();

@@ -29,7 +29,12 @@ class MapRig {
   void findImportance();
   [[nodiscard]] ImportonsFound importons(MapKind kind) const;
   /// Shoots the plan's photons into a map of `capacity` photons (0: the plan's).
-  [[nodiscard]] PhotonMap shoot(MapKind kind, DensityControl control, uint receivers, std::uint64_t capacity = 0);
+  [[nodiscard]] PhotonMap shoot(MapKind kind, const StorageRule& rule, std::uint64_t capacity = 0);
+  [[nodiscard]] PhotonMap shoot(MapKind kind, DensityControl control, uint receivers, std::uint64_t capacity = 0) {
+    return shoot(kind, {control, receivers}, capacity);
+  }
+  /// Counts the hits of the plan's photons, with random numbers of their own.
+  [[nodiscard]] ExpectedDensity countPilot(MapKind kind);
   [[nodiscard]] PhotonMapCounts counts(const PhotonMap& map) const { return map.readCounts(*stage_, parameters.fluxScale); }
   /// The photons of a finished map, render space.
   [[nodiscard]] std::vector<MapPoint> photons(const PhotonMap& map) const;

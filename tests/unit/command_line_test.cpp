@@ -55,6 +55,14 @@ TEST(CommandLine, RendersWithoutTheWord) {
   EXPECT_EQ(parseRender("--output=room.exr room.gltf").job.output, "room.exr");
 }
 
+TEST(CommandLine, TakesProbabilityOnlyWithItsControl) {
+  const RenderCommand command = parseRender("a.gltf -o o.exr --control probability --probability-floor 0.1");
+  EXPECT_EQ(command.job.control, DensityControl::probability);
+  EXPECT_EQ(command.job.probabilityFloor, 0.1);
+  EXPECT_NE(refusal("a.gltf -o o.exr --probability-floor 0.1").find("--control probability"), std::string::npos);
+  EXPECT_NE(refusal("a.gltf -o o.exr --control probability --probability-floor 1.5").find("0 to 1"), std::string::npos);
+}
+
 TEST(CommandLine, TakesEveryOptionOfRender) {
   const RenderCommand command = parseRender(
       "render s.glb -o o.exr --png o.png --width 320 --height 200 --camera top --integrator path --passes 7 "
