@@ -107,10 +107,8 @@ void beginGather(uint slot, PathState path, Surface s) {
 
 /// Samples the next direction. After a global lookup only a specular event goes on. False: the path ends.
 bool scatterEye(uint slot, inout PathState path, Surface s, Bsdf b, mat3 frame, Ray ray, bool hasRead, out Ray next) {
-  const uint stream = eyeStream(path.id), index = eyeIndex(path.id);
-  const vec2 choice = sequencePoint(stream, index, eventPair(path.flags, kPairLobe));
-  const vec2 u = sequencePoint(stream, index, eventPair(path.flags, kPairScatter));
-  const BsdfSample sampled = sampleBsdf(b, -ray.direction * frame, choice.x, u);
+  const vec2 choice = eyePoint(path, kPairLobe);
+  const BsdfSample sampled = sampleBsdf(b, -ray.direction * frame, choice.x, eyePoint(path, kPairScatter));
   const vec3 wi = frame * sampled.wi;
   next = nextRay(s, wi, hash(ray.id + 1u));
   if (hasRead && !sampled.isDelta) return false;

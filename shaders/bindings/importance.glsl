@@ -6,6 +6,7 @@
 layout(binding = kBindingImportonCells) uniform usamplerBuffer importonCells;
 layout(binding = kBindingImportonPoints) uniform usamplerBuffer importonPoints;
 layout(binding = kBindingImportance) uniform samplerBuffer importances;
+layout(binding = kBindingImportanceBound) uniform samplerBuffer importanceBounds;
 layout(binding = kBindingImportonHits) uniform usamplerBuffer importonHits;
 
 uvec2 importonCell(uint slot) { return texelFetch(importonCells, int(slot)).xy; }
@@ -26,8 +27,9 @@ float importanceAt(MapSettings map, vec3 position, vec3 normal) {
 }
 
 /// D_r in photons/m² at an importon [METHOD: D_r = M_r Γ], at least the floor, growing over passes; or the constant.
+/// Γ is of the importance map, or by path differentials.
 float requiredDensityAt(MapSettings map, uint importon) {
-  const float importance = importon == kNone ? 0.0 : importonImportance(importon);
+  const float importance = importon == kNone ? 0.0 : texelFetch(importanceBounds, int(importon)).x;
   float density = max(map.photonsPerPixel * importance, map.densityFloor);
   if (map.constantDensity > 0.0) density = map.constantDensity;
   return min(density * params.densityScale, map.densityLimit);

@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/selection.glsl"
 #include "bindings/stored.glsl"
-#include "lib/density.glsl"
+#include "bindings/footprints.glsl"
 
 layout(scalar, binding = kBindingNeighbours) readonly buffer LevelsBlock { uint startLevels[]; };
 layout(binding = kBindingWeights) uniform samplerBuffer weights;
@@ -39,8 +39,8 @@ bool narrow(inout Walk walk, vec3 normal, float radius, inout float low, inout f
   return false;
 }
 
-/// Γ from all importons nearer than `limit` (squared).
-float importanceWithin(inout Walk walk, vec3 normal, float radius, float limit) {
+/// Γ from all importons nearer than `limit` (squared), which becomes that of the disc that was used.
+float importanceWithin(inout Walk walk, vec3 normal, float radius, inout float limit) {
   float sum = 0.0, outermost = 0.0, outerWeight = 0.0;
   uint count = 0u;
   restartWalk(walk);
@@ -56,7 +56,20 @@ float importanceWithin(inout Walk walk, vec3 normal, float radius, float limit) 
     }
   }
   if (count < 3u || outermost <= 0.0) return sum / (kPi * limit);
+  limit = outermost;
   return (sum - outerWeight) / (kPi * outermost);
+}
+
+/// What the footprints of the importons nearer than `limit` (squared) ask for, pixels/m².
+float boundWithin(inout Walk walk, vec3 normal, float radius, float limit) {
+  AskedDensity asked = AskedDensity(0.0, 0.0);
+  restartWalk(walk);
+  while (nextPoint(walk)) {
+    const float d2 = likeDistance(walk, normal, radius);
+    const uint record = selection[texelFetch(storedOrder, int(walk.index)).x / uint(bitCount(push.levels))];
+    if (d2 >= 0.0 && d2 < limit) addFootprint(asked, record, texelFetch(weights, int(walk.index)).x, d2, limit);
+  }
+  return kImportanceBound == kBoundPixel ? asked.most : asked.sum;
 }
 
 void main() {
@@ -83,4 +96,5 @@ void main() {
     if (isFound) narrow(walk, normal, radius, low, high, inner);
   }
   required[site] = importanceWithin(walk, normal, radius, high);
+  if (kImportanceBound != kBoundNone) bounds[site] = boundWithin(walk, normal, radius, high);
 }

@@ -19,4 +19,20 @@ Ray cameraRay(Parameters params, vec2 p) {
   return ray;
 }
 
+/// How the ray of unit `direction` moves with its place in the image, by steps of a pixel.
+PathDifferential cameraDifferential(Parameters params, vec3 direction) {
+  const vec3 right = params.cameraRight * (2.0 / float(params.width)), down = params.cameraUp * (-2.0 / float(params.height));
+  const Spread none = Spread(vec3(0.0), vec3(0.0), 0.0);
+  PathDifferential d = PathDifferential(none, none, none, none, 1.0);
+  if (params.cameraIsOrthographic != 0u) {
+    d.x.position = right;
+    d.y.position = down;
+  } else {
+    const float perLength = dot(direction, params.cameraForward);
+    d.x.direction = (right - direction * dot(direction, right)) * perLength;
+    d.y.direction = (down - direction * dot(direction, down)) * perLength;
+  }
+  return d;
+}
+
 #endif

@@ -13,4 +13,9 @@ uint eyeIndex(uint id) {
   return kEyeMode == kEyeImportons ? id : params.pass * params.samplesPerPass + counters[kCounterSample];
 }
 
+/// The point of the path's sequence for a decision (kPair*) of the event at hand.
+vec2 eyePoint(PathState path, uint pair) {
+  return sequencePoint(eyeStream(path.id), eyeIndex(path.id), eventPair(path.flags, pair));
+}
+
 #endif

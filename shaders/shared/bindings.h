@@ -81,6 +81,10 @@ SHARED_CONST uint kBindingPhotonSlots = 60;     // storage, uint[]: cell of each
 SHARED_CONST uint kBindingGuideRows = 63;       // texel float1: lib/guide.glsl
 SHARED_CONST uint kBindingGuideColumns = 64;    // texel float1
 SHARED_CONST uint kBindingGuideSums = 65;       // storage, uint[]: what was learned for each cell
+SHARED_CONST uint kBindingPathDifferentials = 66;  // storage, PathDifferential[], by slot
+SHARED_CONST uint kBindingFootprints = 67;      // storage, float[]: pixels/m² by the footprint of each importon record
+SHARED_CONST uint kBindingBounds = 68;          // storage, float[]: pixels/m² by footprints near each site
+SHARED_CONST uint kBindingImportanceBound = 69;  // texel float1: what required density is made of, at each importon
 SHARED_CONST uint kBindingWeights = 56;        // texel float1: the same
 SHARED_CONST uint kBindingPathLight = 52;      // storage, PathLight[], by slot
 

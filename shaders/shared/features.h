@@ -29,6 +29,11 @@ SHARED_CONST uint kSpecDispatchWorkgroup = 19u;  // workgroup size of the kernel
 SHARED_CONST uint kSpecPixelFilter = 16u;      // kFilter*
 SHARED_CONST uint kSpecIsGuided = 17u;         // emission follows a guide
 SHARED_CONST uint kSpecPhotonKind = 18u;       // kPhotonsGlobal, kPhotonsCaustic
+SHARED_CONST uint kSpecImportanceBound = 20u;  // kBound*
+
+SHARED_CONST uint kBoundNone = 0u;    // required density follows the importance map
+SHARED_CONST uint kBoundPixel = 1u;   // the largest density that a footprint nearby asks for
+SHARED_CONST uint kBoundScreen = 2u;  // the sum of what they ask for
 
 SHARED_CONST uint kFilterBox = 0u;
 SHARED_CONST uint kFilterGaussian = 1u;

@@ -78,6 +78,11 @@ struct ImportonDensityPush {
   uint nearest;
 };
 
+/// kernels/importon_differential.comp
+struct ImportonDifferentialPush {
+  uint source;
+};
+
 /// kernels/importon_entries.comp
 struct ImportonEntriesPush {
   uint slotMask;

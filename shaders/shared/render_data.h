@@ -68,6 +68,23 @@ struct PathState {
   float distance;      // m, length since the last non-specular vertex
 };
 
+/// How a path moves with one of the variables that made it: derivatives, each times the step of the variable to the
+/// neighbouring path. [Suykens and Willems 2001]
+struct Spread {
+  vec3 position;   // of the vertex, or of the ray's origin, m
+  vec3 direction;  // of the ray
+  float gradient;  // of the logarithm of the path's weight
+};
+
+/// The footprint of an importon. Two variables hold all that came before the last sampled direction.
+struct PathDifferential {
+  Spread x;     // place in the image, steps of a pixel; later what paths before the last sampled direction covered
+  Spread y;
+  Spread u;     // the last sampled direction
+  Spread v;
+  float share;  // weight of the path in its pixel, chosen lobes included
+};
+
 // PathState::flags: low byte: scattering events so far
 SHARED_CONST uint kPathDepthMask = 0xFFu;
 SHARED_CONST uint kPathScattered = 0x100u;   // has had a non-specular event

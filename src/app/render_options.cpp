@@ -178,6 +178,18 @@ void addDensityOptions(CLI::App& app, RenderJob& job) {
       ->check(share())
       ->type_name("E")
       ->group(group);
+  addChoice<ImportanceChoice>(app, "--importance",
+                              {{"map", ImportanceChoice::map}, {"differentials", ImportanceChoice::differentials}},
+                              job.importance,
+                              "required density by the density of importons, or by the\nfootprints of their paths "
+                              "(default: map)")
+      ->group(group);
+  addChoice<DifferentialBound>(app, "--differential-bound",
+                               {{"pixel", DifferentialBound::pixel}, {"screen", DifferentialBound::screen}},
+                               job.differentialBound,
+                               "with --importance differentials: the most that a path nearby\nasks for, or the sum "
+                               "(default: screen)")
+      ->group(group);
   addChoice<EmissionChoice>(app, "--emission",
                             {{"power", EmissionChoice::power}, {"guided", EmissionChoice::guided}}, job.emission,
                             "photons by the lights' power, or guided to what matters\n(default: guided where it pays)")

@@ -51,6 +51,9 @@ void traceImportons(const Stage& stage, const ImportanceMap& global, std::uint32
   for (uint depth = 0; depth <= maxDepth; ++depth) {
     table.set(kBindingQueue, *queues.now);
     overRays(stage, stage.kernels.traceClosest, table, queues.counter, TracePush{queues.counter});
+    if (stage.work.hasDifferentials())
+      overItems(stage, stage.kernels.importonDifferential, table, queues.counter,
+                ImportonDifferentialPush{queues.counter});
     overItems(stage, stage.kernels.importonScatter, table, queues.counter,
               EyeScatterPush{queues.counter, knowsImportance});
     compact(stage, queues.counter, queues.nextCounter, queues.now, *queues.next, kCounterRecords);

@@ -10,11 +10,13 @@
 namespace importon {
 namespace {
 
-ImportanceMap makeMap(gpu::Context& context, const char* name, std::uint64_t capacity) {
+ImportanceMap makeMap(gpu::Context& context, const char* name, std::uint64_t capacity, bool hasDifferentials) {
   ImportanceMap map;
   map.grid = PointGrid(context, name, capacity);
   map.importance = gpu::Buffer(context, std::string(name) + " importance", capacity * sizeof(float),
                                gpu::TexelFormat::float1);
+  if (hasDifferentials)
+    map.bound = gpu::Buffer(context, std::string(name) + " bound", capacity * sizeof(float), gpu::TexelFormat::float1);
   map.hits = gpu::Buffer(context, std::string(name) + " hits", capacity * sizeof(uint), gpu::TexelFormat::uint1);
   return map;
 }
@@ -78,6 +80,11 @@ void buildMap(const Stage& stage, ImportanceMap& map, MapKind kind, uint nearest
   table.set(kBindingValuesIn, map.grid.order);
   table.set(kBindingWeightsOut, map.importance);
   stage.recorder.dispatch(stage.kernels.importonResolve, table, sites);
+  if (stage.work.hasDifferentials()) {
+    table.set(kBindingRequired, stage.work.bounds);
+    table.set(kBindingWeightsOut, map.bound);
+    stage.recorder.dispatch(stage.kernels.importonResolve, table, sites);
+  }
   stage.recorder.submitAndWait();
   map.levels = readCounter(stage, kCounterLevels);
 }
@@ -89,12 +96,14 @@ void ImportanceMap::bind(gpu::BindingTable& table) const {
   table.set(kBindingImportonPoints, grid.points);
   table.set(kBindingImportonOrder, grid.order);
   table.set(kBindingImportance, importance);
+  table.set(kBindingImportanceBound, bound ? bound : importance);
   table.set(kBindingImportonHits, hits);
   table.set(kBindingImportonHitsOut, hits);
 }
 
-ImportanceMaps makeImportanceMaps(gpu::Context& context, std::uint64_t importons) {
-  return {makeMap(context, "caustic importons", importons), makeMap(context, "global importons", importons)};
+ImportanceMaps makeImportanceMaps(gpu::Context& context, std::uint64_t importons, bool hasDifferentials) {
+  return {makeMap(context, "caustic importons", importons, hasDifferentials),
+          makeMap(context, "global importons", importons, hasDifferentials)};
 }
 
 void buildImportance(const Stage& stage, Parameters& parameters, ImportanceMaps& maps, std::uint32_t importons,

@@ -15,6 +15,7 @@ enum class MapKind { caustic, global };
 struct ImportanceMap {
   PointGrid grid;
   gpu::Buffer importance;  // float per site, in cell order
+  gpu::Buffer bound;       // the same by path differentials; empty: without
   gpu::Buffer hits;        // uint per site: photon hits near it in all passes so far
   uint levels = 0;         // grid levels in use, a bit each
   std::uint64_t count = 0;  // importons
@@ -27,7 +28,7 @@ struct ImportanceMaps {
 };
 
 /// Makes empty maps for up to `importons` importons.
-[[nodiscard]] ImportanceMaps makeImportanceMaps(gpu::Context& context, std::uint64_t importons);
+[[nodiscard]] ImportanceMaps makeImportanceMaps(gpu::Context& context, std::uint64_t importons, bool hasDifferentials);
 
 /// Traces `importons` importons and builds both maps anew, twice: the first round takes every gather segment for
 /// long enough, the second one knows where the global map is read. `nearest` is M of the talk. Sets

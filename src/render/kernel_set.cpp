@@ -35,7 +35,12 @@ std::vector<Entry> listCommon(KernelSet& k, Integrator integrator, bool hasAlpha
           {&k.aovSurface, "AOV surface", "aov_surface", {}}};
 }
 
-std::vector<Entry> listMaps(KernelSet& k) {
+uint boundOf(const RenderJob& job) {
+  if (job.importance == ImportanceChoice::map) return kBoundNone;
+  return job.differentialBound == DifferentialBound::pixel ? kBoundPixel : kBoundScreen;
+}
+
+std::vector<Entry> listMaps(KernelSet& k, const RenderJob& job) {
   return {{&k.sortCount, "sort count", "sort_count", {}},
           {&k.sortScatter, "sort scatter", "sort_scatter", {}},
           {&k.gridCells, "grid cells", "grid_cells", {}},
@@ -48,7 +53,7 @@ std::vector<Entry> listMaps(KernelSet& k) {
           {&k.importonLevel, "importon level", "importon_level", {}},
           {&k.importonEntries, "importon entries", "importon_entries", {}},
           {&k.importonPoints, "importon points", "importon_points", {}},
-          {&k.importonDensity, "importance", "importon_density", {}},
+          {&k.importonDensity, "importance", "importon_density", {{kSpecImportanceBound, boundOf(job)}}},
           {&k.importonKey, "importon key", "importon_key", {}},
           {&k.importonResolve, "importance in order", "importon_resolve", {}},
           {&k.photonEmit, "photon rays", "photon_emit", {{kSpecIsGuided, 0}}},
@@ -79,7 +84,10 @@ KernelSet makeKernels(gpu::Context& context, const FeatureSet& features, const R
   KernelSet set;
   std::vector<Entry> entries = listCommon(set, job.integrator, features.hasAlpha);
   if (job.integrator == Integrator::photon) {
-    for (Entry& entry : listMaps(set)) entries.push_back(std::move(entry));
+    for (Entry& entry : listMaps(set, job)) entries.push_back(std::move(entry));
+    if (job.importance == ImportanceChoice::differentials)
+      entries.push_back({&set.importonDifferential, "importon footprint", "importon_differential",
+                         {{kSpecEyeMode, kEyeImportons}}});
   }
   std::vector<gpu::Specialization> common = specializations(features);
   common.push_back({kSpecTraceInvocations, context.limits().isCpu ? kTraceInvocationsOnCpu : kTraceInvocationsOnGpu});

@@ -57,6 +57,7 @@ PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2
     plan.workspace.entries = plan.workspace.slots;
     return plan;
   }
+  plan.workspace.hasDifferentials = job.importance == ImportanceChoice::differentials;
   plan.photons = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pixels, 1u << 16, 1u << 20));
   // Both maps share the photons asked for; a caustic map that no surface asks for must not change the image.
   const bool hasTwoMaps = features.needsCausticMap && !job.forcesAllFeatures;

@@ -11,6 +11,8 @@ namespace importon {
 enum class Integrator { photon, path };
 enum class PixelFilter { box, gaussian, blackmanHarris };  // kFilter* of shared/features.h
 enum class DensityControl { off, density, probability };
+enum class ImportanceChoice { map, differentials };
+enum class DifferentialBound { pixel, screen };  // of required density: the most that a path nearby asks for, or the sum
 enum class EmissionChoice { automatic, power, guided };
 
 /// Unset optionals are chosen automatically. Names follow the options of `importon render`. What decides the image
@@ -30,6 +32,8 @@ struct RenderJob {
   std::optional<std::uint32_t> importons;    // in all
   DensityControl control = DensityControl::density;
   double probabilityFloor = 0;               // ε: least probability of storing a hit, for control by probability
+  ImportanceChoice importance = ImportanceChoice::map;
+  DifferentialBound differentialBound = DifferentialBound::screen;
   EmissionChoice emission = EmissionChoice::automatic;
   std::optional<std::uint32_t> photonBatch;  // photons traced at once
   double causticDensity = 20, globalDensity = 1.5;  // M_r, photons per pixel footprint

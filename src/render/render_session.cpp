@@ -65,7 +65,8 @@ RenderSession::RenderSession(const RenderJob& job, const Scene& scene, Log& log)
   recorder_.emplace(*context_);
   stage_.emplace(Stage{*context_, *recorder_, kernels_, *work_});
   film_.emplace(*context_, static_cast<std::uint64_t>(size_.x) * static_cast<std::uint64_t>(size_.y), plan_.tilePixels);
-  importance_ = makeImportanceMaps(*context_, plan_.importons * (std::uint64_t{parameters_.maxDepth} + 1));
+  importance_ = makeImportanceMaps(*context_, plan_.importons * (std::uint64_t{parameters_.maxDepth} + 1),
+                                   plan_.workspace.hasDifferentials);
   if (hasMaps()) {
     globalMap_.emplace(*context_, MapKind::global, plan_.mapCapacity, plan_.workspace.records);
     if (features_.needsCausticMap)

@@ -38,10 +38,16 @@ Workspace::Workspace(gpu::Context& c, const WorkspaceSize& s)
       selectedPoints(c, "selected points", s.records * sizeof(MapPoint), TexelFormat::uint4),
       neighbours(c, "neighbours", s.records * sizeof(uint)),
       accepted(c, "accepted", s.records * sizeof(uint)),
+      pathDifferentials(c, "path differentials", (s.hasDifferentials ? s.slots : 1) * sizeof(PathDifferential)),
+      footprints(c, "footprints", (s.hasDifferentials ? s.records : 1) * sizeof(float)),
+      bounds(c, "importance bounds", (s.hasDifferentials ? s.records : 1) * sizeof(float)),
       noGuide(c, "no guide", sizeof(float), TexelFormat::float1),
       size(s) {
   table.set(kBindingGuideRows, noGuide);
   table.set(kBindingGuideColumns, noGuide);
+  table.set(kBindingPathDifferentials, pathDifferentials);
+  table.set(kBindingFootprints, footprints);
+  table.set(kBindingBounds, bounds);
   table.set(kBindingParameters, parameters);
   table.set(kBindingCounters, counters);
   table.set(kBindingDispatches, dispatches);

@@ -12,6 +12,7 @@ struct WorkspaceSize {
   std::uint64_t slots = 0;    // paths in flight
   std::uint64_t records = 0;  // hits of a photon batch, or importons
   std::uint64_t entries = 0;  // the longest list that is sorted or compacted
+  bool hasDifferentials = false;  // of importons
 };
 
 /// Buffers that all phases share. `table` has them under their binding numbers.
@@ -22,9 +23,12 @@ struct Workspace {
   gpu::Buffer rays, hits, shadowRays, shadowHits, shadowLight, paths, eyeVertices, pathLight, queueA, queueB;
   gpu::Buffer keep, blockSums, keysA, keysB, valuesA, valuesB;
   gpu::Buffer recordPoints, records, required, selection, selectedPoints, neighbours, accepted;
+  gpu::Buffer pathDifferentials, footprints, bounds;  // of one item without differentials
   gpu::Buffer noGuide;  // stands for an emission guide where there is none
   gpu::BindingTable table;
   WorkspaceSize size;
+
+  [[nodiscard]] bool hasDifferentials() const { return size.hasDifferentials; }
 };
 
 /// What every phase needs.

@@ -17,7 +17,8 @@ MapRig::MapRig(gpu::Context& context, const Scene& scene, const RenderJob& job)
   deviceScene_.bind(work_->table);
   recorder_.emplace(context);
   stage_.emplace(Stage{context, *recorder_, kernels_, *work_});
-  importance = makeImportanceMaps(context, plan.importons * (std::uint64_t{parameters.maxDepth} + 1));
+  importance = makeImportanceMaps(context, plan.importons * (std::uint64_t{parameters.maxDepth} + 1),
+                                  plan.workspace.hasDifferentials);
 }
 
 void MapRig::findImportance() {

@@ -105,6 +105,13 @@ TEST(CommandLine, TakesAConstantDensity) {
   EXPECT_EQ(parseRender("s.glb -o o.exr --constant-density 1e6").job.constantDensity, 1e6);
 }
 
+TEST(CommandLine, TakesPathDifferentials) {
+  EXPECT_EQ(parseRender("s.glb -o o.exr").job.importance, ImportanceChoice::map);
+  const RenderJob job = parseRender("s.glb -o o.exr --importance differentials --differential-bound pixel").job;
+  EXPECT_EQ(job.importance, ImportanceChoice::differentials);
+  EXPECT_EQ(job.differentialBound, DifferentialBound::pixel);
+}
+
 TEST(CommandLine, TakesTheGreatestSeed) {
   EXPECT_EQ(parseRender("s.glb -o o.exr --seed 4294967295").job.seed, 4294967295u);
 }
