@@ -4,7 +4,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/selection.glsl"
 #include "bindings/stored.glsl"
-#include "bindings/footprints.glsl"
+#include "bindings/importance_bound.glsl"
+#include "lib/density.glsl"
 
 layout(scalar, binding = kBindingNeighbours) readonly buffer LevelsBlock { uint startLevels[]; };
 layout(binding = kBindingWeights) uniform samplerBuffer weights;
@@ -12,11 +13,6 @@ layout(push_constant, scalar) uniform PushBlock { ImportonDensityPush push; };
 
 const uint kBins = 32u;
 uint bins[kBins];
-
-/// Squared distance of the point at hand, or -1 if it lies on another surface.
-float likeDistance(Walk walk, vec3 normal, float radius) {
-  return isInside(walk, normal, radius) && hasLikeNormal(walk.packed, normal, 0.7) ? dot(walk.offset, walk.offset) : -1.0;
-}
 
 /// Narrows [low, high) of squared distance to the bin in which the count reaches `nearest`; false: it does not.
 bool narrow(inout Walk walk, vec3 normal, float radius, inout float low, inout float high, inout uint inner) {
@@ -60,18 +56,6 @@ float importanceWithin(inout Walk walk, vec3 normal, float radius, inout float l
   return (sum - outerWeight) / (kPi * outermost);
 }
 
-/// What the footprints of the importons nearer than `limit` (squared) ask for, pixels/m².
-float boundWithin(inout Walk walk, vec3 normal, float radius, float limit) {
-  AskedDensity asked = AskedDensity(0.0, 0.0);
-  restartWalk(walk);
-  while (nextPoint(walk)) {
-    const float d2 = likeDistance(walk, normal, radius);
-    const uint record = selection[texelFetch(storedOrder, int(walk.index)).x / uint(bitCount(push.levels))];
-    if (d2 >= 0.0 && d2 < limit) addFootprint(asked, record, texelFetch(weights, int(walk.index)).x, d2, limit);
-  }
-  return kImportanceBound == kBoundPixel ? asked.most : asked.sum;
-}
-
 void main() {
   const uint site = invocationIndex();
   if (site >= counters[kCounterSites]) return;
@@ -96,5 +80,5 @@ void main() {
     if (isFound) narrow(walk, normal, radius, low, high, inner);
   }
   required[site] = importanceWithin(walk, normal, radius, high);
-  if (kImportanceBound != kBoundNone) bounds[site] = boundWithin(walk, normal, radius, high);
+  if (kImportanceBound != kBoundNone) bounds[site] = high;  // for importon_bound.comp
 }

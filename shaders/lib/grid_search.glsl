@@ -110,6 +110,11 @@ bool isInside(Walk walk, vec3 normal, float radius) {
          isNearPlane(normal, walk.offset, radius);
 }
 
+/// Squared distance of the point at hand, or -1 where it is outside or on another surface.
+float likeDistance(Walk walk, vec3 normal, float radius) {
+  return isInside(walk, normal, radius) && hasLikeNormal(walk.packed, normal, 0.7) ? dot(walk.offset, walk.offset) : -1.0;
+}
+
 /// Leaves the range at work.
 void skipRange(inout Walk walk) { walk.left = 0u; }
 

@@ -67,6 +67,11 @@ struct HitKeyPush {
   uint isControlled;
 };
 
+/// kernels/importon_bound.comp
+struct ImportonBoundPush {
+  uint levels;
+};
+
 /// kernels/importon_count.comp
 struct ImportonCountPush {
   uint slotMask;

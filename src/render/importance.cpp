@@ -58,6 +58,8 @@ void estimateImportance(const Stage& stage, uint levels, uint count, uint neares
   bindStored(table, grid);
   table.set(kBindingWeights, weights);
   overItems(stage, stage.kernels.importonDensity, table, kCounterSites, ImportonDensityPush{levels, nearest});
+  if (stage.work.hasDifferentials())
+    overItems(stage, stage.kernels.importonBound, table, kCounterSites, ImportonBoundPush{levels});
   stage.recorder.submitAndWait();  // before the entries go
 }
 

@@ -40,6 +40,11 @@ uint boundOf(const RenderJob& job) {
   return job.differentialBound == DifferentialBound::pixel ? kBoundPixel : kBoundScreen;
 }
 
+std::vector<Entry> listDifferentials(KernelSet& k, const RenderJob& job) {
+  return {{&k.importonDifferential, "importon footprint", "importon_differential", {{kSpecEyeMode, kEyeImportons}}},
+          {&k.importonBound, "importance bound", "importon_bound", {{kSpecImportanceBound, boundOf(job)}}}};
+}
+
 std::vector<Entry> listMaps(KernelSet& k, const RenderJob& job) {
   return {{&k.sortCount, "sort count", "sort_count", {}},
           {&k.sortScatter, "sort scatter", "sort_scatter", {}},
@@ -86,8 +91,7 @@ KernelSet makeKernels(gpu::Context& context, const FeatureSet& features, const R
   if (job.integrator == Integrator::photon) {
     for (Entry& entry : listMaps(set, job)) entries.push_back(std::move(entry));
     if (job.importance == ImportanceChoice::differentials)
-      entries.push_back({&set.importonDifferential, "importon footprint", "importon_differential",
-                         {{kSpecEyeMode, kEyeImportons}}});
+      for (Entry& entry : listDifferentials(set, job)) entries.push_back(std::move(entry));
   }
   std::vector<gpu::Specialization> common = specializations(features);
   common.push_back({kSpecTraceInvocations, context.limits().isCpu ? kTraceInvocationsOnCpu : kTraceInvocationsOnGpu});

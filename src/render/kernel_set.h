@@ -9,7 +9,7 @@ struct KernelSet {
   gpu::Kernel setCounter, compactCount, scan, compactScatter, sortCount, sortScatter, gridCells, gridPoints;
   gpu::Kernel traceClosest, traceShadow;
   gpu::Kernel eyeEmit, eyeScatter, eyeLight, mapLookup, filmAdd, aovSurface, aovMap;
-  gpu::Kernel importonEmit, importonDifferential, importonScatter, importonCount, importonLevel, importonEntries, importonPoints,
+  gpu::Kernel importonEmit, importonDifferential, importonBound, importonScatter, importonCount, importonLevel, importonEntries, importonPoints,
       importonDensity, importonKey, importonResolve;
   gpu::Kernel photonEmit, photonEmitGuided, photonScatter, causticScatter, guideLearn;
   gpu::Kernel recordSelect, hitKey, photonQuota, photonStore, photonThin, pilotCount, photonKey,

@@ -60,6 +60,7 @@ std::vector<HostLayout> hostLayouts() {
       IMPORTON_LAYOUT(GridCellsPush, source, slotMask),
       IMPORTON_LAYOUT(GridPointsPush, source),
       IMPORTON_LAYOUT(HitKeyPush, isGlobal, slotMask, isControlled),
+      IMPORTON_LAYOUT(ImportonBoundPush, levels),
       IMPORTON_LAYOUT(ImportonCountPush, slotMask),
       IMPORTON_LAYOUT(ImportonDensityPush, levels, nearest),
       IMPORTON_LAYOUT(ImportonDifferentialPush, source),
