@@ -3,6 +3,7 @@
 #define IMPORTON_BINDINGS_EYE_GLSL
 #include "lib/eye_stream.glsl"
 #include "lib/path.glsl"
+#include "bindings/irradiance.glsl"
 
 layout(scalar, binding = kBindingShadowRays) writeonly buffer ShadowRaysBlock { Ray shadowRays[]; };
 layout(scalar, binding = kBindingShadowLight) writeonly buffer ShadowLightBlock { vec3 shadowLight[]; };
@@ -16,6 +17,9 @@ void addFound(uint slot, PathState path, vec3 radiance) {
   else if (isCaustic) pathLight[slot].caustic += light;
   else pathLight[slot].direct += light;
 }
+
+/// A gather ray reads no cell nearer than the root of so many times the cell's area: the path goes on.
+const float kNearCells = 4.0;
 
 /// True if light of the path's present history is left to the photon maps.
 bool isLeftToMaps(PathState path) {
@@ -57,10 +61,42 @@ void writeImporton(uint at, Surface s, Ray ray, PathState path, bool readsGlobal
   records[at] = Record(vec3(mean(path.throughput)), readsGlobal ? kRecordGlobal : kRecordCaustic);
 }
 
-void askForLookup(uint slot, Surface s, Ray ray, Hit hit, inout PathState path, bool readsGlobal, float radius) {
-  path.flags |= kPathLookup | (readsGlobal ? kPathLookupGlobal : 0u);
+void askForLookup(uint slot, Surface s, Ray ray, Hit hit, inout PathState path, bool readsGlobal, bool isRest, float radius) {
+  path.flags |= kPathLookup | (readsGlobal ? kPathLookupGlobal : 0u) | (isRest ? kPathLookupRest : 0u);
   if ((path.flags & kPathScattered) != 0u) path.flags |= kPathLookupDeep;
   eyeVertices[slot] = EyeVertex(s.position, radius, path.throughput, hit.triangle, ray.direction, hit.u, hit.v);
+}
+
+/// True if the path, scattered before, may read the global map at s instead of going on. Reads it if it is one of
+/// cells, and leaves the other lobes of b, if any, for the path to go on with; else finds the lookup radius.
+bool readsGlobalMap(uint slot, inout PathState path, Surface s, Hit hit, Bsdf b, bool knowsImportance, out float radius) {
+  radius = 0.0;
+  if (kEyeMode == kEyePath || !kHasGlobalMap || (path.flags & kPathScattered) == 0u) return false;
+  const bool isLast = (path.flags & kPathDepthMask) >= params.maxDepth;
+  if (kReadsCells) {
+    if (!hasDiffuse(b)) return false;
+    if (kEyeMode == kEyeImage) {
+      float area;
+      const vec3 irradiance = cellIrradiance(cellSide(hit.triangle, vec2(hit.u, hit.v), s.isFront), area);
+      if (path.distance * path.distance < kNearCells * area && !isLast) return false;
+      pathLight[slot].indirect += path.throughput * diffuseTowards(b) * irradiance / kPi;
+      return true;
+    }
+  }
+  if (!knowsImportance) return true;
+  radius = lookupRadius(params.globalMap, lookupDensity(params.globalMap, s.position, s.geometricNormal));
+  return path.distance > 2.0 * radius || isLast;
+}
+
+/// After a cell was read: the path goes on with what it did not hold, by roulette. False: it ends.
+bool keepsOtherLobes(inout PathState path, inout Bsdf b, float cosOut, uint id) {
+  if (!kHasReflection) return false;
+  float left;
+  removeDiffuse(b, cosOut, left);
+  const float survival = min(left, 1.0);
+  if (!(unitFloat(hashCombine(hashCombine(id, params.pass), path.flags & kPathDepthMask)) < survival)) return false;
+  path.throughput /= survival;
+  return true;
 }
 
 /// From off the surface to off the light.

@@ -20,6 +20,15 @@ uvec4 environmentTexel(uint i) { return texelFetch(environmentTexels, int(i)); }
 uvec2 environmentAlias(uint i) { return texelFetch(environmentAliases, int(i)).xy; }
 uvec2 environmentSize() { return params.environmentSize; }
 
+#include "lib/light_voxel.glsl"
+
+layout(binding = kBindingLightsSeen) uniform usamplerBuffer lightsSeenTexels;
+
+uvec2 lightsSeen(vec3 x) {
+  if (!kHasGlobalMap) return uvec2(kNone);  // no photon says what reaches where
+  return texelFetch(lightsSeenTexels, int(lightVoxel(x, params.gridOrigin, params.gridExtent))).xy;
+}
+
 #include "lib/light.glsl"
 
 #endif

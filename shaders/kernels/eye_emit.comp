@@ -32,6 +32,7 @@ void main() {
   path.outerMedium = kNone;
   path.pdfSolidAngle = 0.0;
   path.lightWeight = 0.0;
+  path.light = kNone;
   path.distance = 0.0;
   rays[slot] = ray;
   paths[slot] = path;

@@ -13,15 +13,6 @@
 
 layout(push_constant, scalar) uniform PushBlock { EyeScatterPush push; };
 
-/// True if the path, scattered before, may read the global map at s instead of going on; finds the lookup radius.
-bool readsGlobalMap(PathState path, Surface s, out float radius) {
-  radius = 0.0;
-  if (kEyeMode == kEyePath || !kHasGlobalMap || (path.flags & kPathScattered) == 0u) return false;
-  if (push.knowsImportance == 0u) return true;
-  radius = lookupRadius(params.globalMap, lookupDensity(params.globalMap, s.position, s.geometricNormal));
-  return path.distance > 2.0 * radius || (path.flags & kPathDepthMask) >= params.maxDepth;
-}
-
 void main() {
   const uint i = invocationIndex();
   if (i >= counters[push.source]) return;
@@ -30,7 +21,7 @@ void main() {
   const Hit hit = hitAt(slot);
   PathState path = paths[slot];
   keep[i] = 0u;
-  path.flags &= ~(kPathLookup | kPathLookupGlobal | kPathLookupDeep | kPathShadowDeep);
+  path.flags &= ~(kPathLookup | kPathLookupGlobal | kPathLookupDeep | kPathLookupRest | kPathShadowDeep);
   if (kEyeMode == kEyeImportons) records[counters[kCounterRecords] + i].kind = kRecordNone;
   else shadowRays[slot].tMax = 0.0;
   paths[slot].flags = path.flags;
@@ -47,26 +38,30 @@ void main() {
   if ((s.flags & kMaterialUnlit) != 0u) return;
 
   const float cosOut = dot(-ray.direction, s.shadingNormal);
-  const Bsdf b = makeBsdf(s, cosOut);
+  Bsdf b = makeBsdf(s, cosOut);
   const mat3 frame = frameAround(s.shadingNormal);
   const bool isSpecular = isSpecularForMaps(b);
   const bool isRough = hasRoughLobe(b) && !isSpecular;
   float radius;
-  const bool reads = isRough && readsGlobalMap(path, s, radius);
-  if (isRough) {
-    if (kEyeMode == kEyeImportons) {
-      writeImporton(counters[kCounterRecords] + i, s, ray, path, reads);
-    } else {
-      if (reads || (kHasCausticMap && kEyeMode == kEyeImage)) askForLookup(slot, s, ray, hit, path, reads, radius);
-      // At its last vertex a path in the path tracer takes no more light: that would be an event too many.
-      const bool isLast = kEyeMode == kEyePath && (path.flags & kPathDepthMask) >= params.maxDepth;
-      if (!reads && !isLast) sampleDirectLight(slot, path, s, b, frame, ray);
-    }
+  const bool reads = isRough && readsGlobalMap(slot, path, s, hit, b, push.knowsImportance != 0u, radius);
+  if (isRough && kEyeMode == kEyeImportons) writeImporton(counters[kCounterRecords] + i, s, ray, path, reads);
+  // What a cell does not hold goes on as if nothing had been read.
+  bool isRest = false;
+  if (reads && kReadsCells) {
+    isRest = keepsOtherLobes(path, b, cosOut, ray.id);
+    if (!isRest) return;
+  }
+  const bool hasRead = reads && !kReadsCells;
+  if (isRough && kEyeMode != kEyeImportons && (!isRest || hasRoughLobe(b))) {
+    if (hasRead || (kHasCausticMap && kEyeMode == kEyeImage)) askForLookup(slot, s, ray, hit, path, hasRead, isRest, radius);
+    // At its last vertex a path in the path tracer takes no more light: that would be an event too many.
+    const bool isLast = kEyeMode == kEyePath && (path.flags & kPathDepthMask) >= params.maxDepth;
+    if (!hasRead && !isLast) sampleDirectLight(slot, path, s, b, frame, ray);
   } else if (isSpecular && kEyeMode == kEyeImage && (path.flags & kPathScattered) == 0u) {
     sampleDirectLight(slot, path, s, b, frame, ray);
   }
   Ray next;
-  const bool goesOn = scatterEye(slot, path, s, b, frame, ray, reads, next);
+  const bool goesOn = scatterEye(slot, path, s, b, frame, ray, hasRead, next);
   paths[slot] = path;
   if (!goesOn) return;
   keep[i] = 1u;

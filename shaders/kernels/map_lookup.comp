@@ -29,10 +29,12 @@ vec3 photonContribution(Surface s, Bsdf b, vec3 wo, mat3 frame, uint photon, flo
 }
 
 /// Light reflected at s towards the path, W/(m² sr).
-vec3 reflectedRadiance(Surface s, vec3 direction, float radius) {
+vec3 reflectedRadiance(Surface s, vec3 direction, float radius, bool isRest) {
   const mat3 frame = frameAround(s.shadingNormal);
   const vec3 wo = -direction * frame;
-  const Bsdf b = makeBsdf(s, wo.z);
+  Bsdf b = makeBsdf(s, wo.z);
+  float left;
+  if (kHasReflection && isRest) removeDiffuse(b, wo.z, left);
   vec3 sum = vec3(0.0);
   Walk walk = beginWalk(storedFrame(), counters[push.levels], s.position, s.geometricNormal, radius, radius);
   bool isDone = false;
@@ -57,7 +59,7 @@ void main() {
     if (push.isGlobal != 0u) map = params.globalMap;
     radius = lookupRadius(map, lookupDensity(map, s.position, s.geometricNormal));
   }
-  const vec3 light = vertex.throughput * reflectedRadiance(s, vertex.direction, radius);
+  const vec3 light = vertex.throughput * reflectedRadiance(s, vertex.direction, radius, (flags & kPathLookupRest) != 0u);
   // kPathLookupDeep: the vertex was reached by a gather ray.
   if ((flags & kPathLookupDeep) != 0u) pathLight[slot].indirect += light;
   else pathLight[slot].caustic += light;

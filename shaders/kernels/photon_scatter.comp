@@ -5,11 +5,15 @@
 #include "bindings/scene.glsl"
 #include "bindings/paths.glsl"
 #include "bindings/records.glsl"
+#include "bindings/irradiance.glsl"
+#include "lib/light_voxel.glsl"
 #include "lib/map_point.glsl"
 #include "lib/path.glsl"
 #include "lib/photon_stream.glsl"
 
 layout(constant_id = kSpecPhotonKind) const uint kPhotonKind = kPhotonsGlobal;
+layout(scalar, binding = kBindingRecordCells) writeonly buffer RecordCellsBlock { uvec2 recordCells[]; };
+layout(scalar, binding = kBindingLightsSeenOut) buffer LightsSeenBlock { uint lightsSeenOut[]; };
 layout(push_constant, scalar) uniform PushBlock { PhotonScatterPush push; };
 
 void writeRecord(uint at, Surface s, bool isGlossy, vec3 direction, PathState path) {
@@ -19,6 +23,21 @@ void writeRecord(uint at, Surface s, bool isGlossy, vec3 direction, PathState pa
   recordPoints[at] = MapPoint(s.position, packMapPoint(-direction, s.geometricNormal, 0u));
   records[at] = Record(path.throughput, (isCaustic ? kRecordCaustic : kRecordGlobal) |
                                             (isGlossy ? kRecordGlossy : 0u) | rank << kRecordRankShift);
+}
+
+/// Notes that light comes from `light` to here without a bounce.
+void seeLight(uint light, vec3 position) {
+  if (light >= 64u) return;
+  const uint word = 2u * lightVoxel(position, params.gridOrigin, params.gridExtent) + light / 32u, bit = 1u << (light % 32u);
+  if ((lightsSeenOut[word] & bit) == 0u) atomicOr(lightsSeenOut[word], bit);
+}
+
+/// Notes the cell that the photon fell in, and what of its flux is diffusely reflected light's: flux comes per area of
+/// the true surface, the BSDF's cosine is the shading normal's. The bound keeps a grazing photon from outshining all.
+void writeCell(uint at, Surface s, Hit hit, Bsdf b, vec3 direction, float cosIn) {
+  const float cosine = max(abs(dot(direction, s.geometricNormal)), min(cosIn, 0.05));
+  const float weight = cosIn > 0.0 ? diffuseFrom(b, cosIn) * cosIn / cosine : 0.0;
+  recordCells[at] = uvec2(cellSide(hit.triangle, vec2(hit.u, hit.v), s.isFront), floatBitsToUint(weight));
 }
 
 /// Beyond it the normals contradict each other; the rest would come as a few very bright photons.
@@ -65,8 +84,11 @@ void main() {
   if ((s.flags & kMaterialUnlit) != 0u) return;
   if (kHasMedia) path.throughput *= mediumTransmittance(path.medium, s, hit.t);
   const mat3 frame = frameAround(s.shadingNormal);
-  const Bsdf b = makeBsdf(s, dot(-ray.direction, s.shadingNormal));
+  const float cosIn = dot(-ray.direction, s.shadingNormal);
+  const Bsdf b = makeBsdf(s, cosIn);
   if (hasRoughLobe(b) && !isFrosted(b)) writeRecord(at, s, isGlossy(b), ray.direction, path);
+  if (kPhotonKind == kPhotonsGlobal && (path.flags & kPathDepthMask) == 0u) seeLight(path.light, s.position);
+  if (kReadsCells && kPhotonKind == kPhotonsGlobal) writeCell(at, s, hit, b, ray.direction, cosIn);
   Ray next;
   if (!scatter(s, b, frame, ray.direction, path, next)) return;
   keep[i] = 1u;

@@ -214,6 +214,26 @@ bool hasRoughLobe(Bsdf b) {
   return kHasClearcoat && b.pCoat > 0.0 && !b.isCoatSmooth;
 }
 
+/// True if some light is scattered by Lambert's law, under at most an interface.
+bool hasDiffuse(Bsdf b) { return maxComponent(b.diffuse) > 0.0 && !(kHasClearcoat && b.coat > 0.0); }
+
+/// The diffuse base in two factors: towards wo, and from wi on the same side.
+vec3 diffuseTowards(Bsdf b) { return kHasReflection ? b.diffuse * max(b.coverPassed, 0.0) : b.diffuse; }
+
+float diffuseFrom(Bsdf b, float cosIn) {
+  if (!kHasReflection) return 1.0;
+  return 1.0 - coverReflectance(b, cosIn, b.isSmooth ? vec2(0.0) : ggxAlbedo(cosIn, b.alpha));
+}
+
+/// Takes the diffuse base away. `left`: about how much light the other lobes scatter, 0 to 1.
+void removeDiffuse(inout Bsdf b, float cosOut, out float left) {
+  b.diffuse = vec3(0.0);
+  const vec2 albedoOut = b.isSmooth ? vec2(1.0, 0.0) : ggxAlbedo(cosOut, b.alpha);
+  left = kHasReflection ? mean(bsdfFresnel(b, cosOut)) * albedoOut.x + (b.isSmooth ? 0.0 : mean(b.missed) * (1.0 - albedoOut.x)) : 0.0;
+  if (kHasTransmission && b.clear > 0.0) left = 1.0;
+  if (left > 0.0) chooseLobes(b, cosOut, albedoOut);
+}
+
 /// Light that a rough clear dielectric scatters more than once, over its cosine, on the side of wi.
 /// `missedIn`: share that GGX reflection misses along wi.
 vec3 evalClearMissed(Bsdf b, float cosine, float missedIn) {

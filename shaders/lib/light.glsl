@@ -1,7 +1,7 @@
 // Lights: choosing one for a point, sampling it, and emitting photons from it.
 // The kernel defines `uvec4 lightTexel(uint index)` (four per light: position and kind; direction and power;
-// emission and area; triangle, two-sidedness, cosines of a spot), `LightAlias lightAliasAt(uint index)` and includes
-// lib/surface.glsl and what lib/environment.glsl and lib/light_tree.glsl ask for before this file.
+// emission and area; triangle, two-sidedness, cosines of a spot), `LightAlias lightAliasAt(uint index)`, `uvec2
+// lightsSeen(vec3 x)` (a bit for each light that is known to reach the surroundings of x) and includes lib/surface.glsl and what lib/environment.glsl and lib/light_tree.glsl ask for before this file.
 #ifndef IMPORTON_LIB_LIGHT_GLSL
 #define IMPORTON_LIB_LIGHT_GLSL
 #include "lib/hash.glsl"
@@ -61,13 +61,25 @@ float lightWeight(uint index, vec3 x) {
   return power / (kPi * max(d2, uintBitsToFloat(t2.w)));
 }
 
+/// What a light is worth that no photon has come from to x's surroundings: hidden, or not yet found.
+const float kUnseenLight = 0.05;
+
+bool isLightSeen(uvec2 seen, uint index) { return ((index < 32u ? seen.x >> index : seen.y >> (index - 32u)) & 1u) != 0u; }
+
+/// The weight of choosing one of at most kLinearLights lights.
+float weightOfLight(uint index, vec3 x, uvec2 seen) {
+  const float weight = lightWeight(index, x);
+  return isLightSeen(seen, index) ? weight : kUnseenLight * weight;
+}
+
 /// Chooses one of the weighed lights; sums their weights.
 uint chooseByWeight(uint count, vec3 x, inout float u, out float weightSum) {
   // One pass: each light replaces the choice so far with its share of the sum so far; u is used up bit by bit.
   weightSum = 0.0;
   uint chosen = kNone;
+  const uvec2 seen = lightsSeen(x);
   for (uint i = 0u; i < count; ++i) {
-    const float w = lightWeight(i, x);
+    const float w = weightOfLight(i, x, seen);
     if (w <= 0.0) continue;
     weightSum += w;
     const float share = w / weightSum;
@@ -88,7 +100,7 @@ const float kDefensiveShare = 0.1;
 float lightProbability(uint count, uint index, vec3 x, float weightSum) {
   float byWeight = 0.0;
   if (count > kLinearLights) byWeight = treeProbability(count, index, x);
-  else if (weightSum > 0.0) byWeight = lightWeight(index, x) / weightSum;
+  else if (weightSum > 0.0) byWeight = weightOfLight(index, x, lightsSeen(x)) / weightSum;
   return mix(byWeight, 1.0 / float(count), kDefensiveShare);
 }
 

@@ -85,6 +85,12 @@ SHARED_CONST uint kBindingPathDifferentials = 66;  // storage, PathDifferential[
 SHARED_CONST uint kBindingFootprints = 67;      // storage, float[]: pixels/m² by the footprint of each importon record
 SHARED_CONST uint kBindingBounds = 68;          // storage, float[]: pixels/m² by footprints near each site
 SHARED_CONST uint kBindingImportanceBound = 69;  // texel float1: what required density is made of, at each importon
+SHARED_CONST uint kBindingLightsSeen = 74;      // texel uint2 per voxel, a bit a light: lib/light_voxel.glsl
+SHARED_CONST uint kBindingLightsSeenOut = 75;   // storage: the same
+SHARED_CONST uint kBindingSurfaceCells = 70;    // texel uint2, one per triangle: src/render/surface_cells.h
+SHARED_CONST uint kBindingRecordCells = 71;     // storage, uvec2[]: cell side of each photon hit, its weight there
+SHARED_CONST uint kBindingIrradiance = 72;      // storage, uint[8] per cell side: fixed-point flux, photons, area
+SHARED_CONST uint kBindingIrradianceTexels = 73;  // texel uint4: the same
 SHARED_CONST uint kBindingWeights = 56;        // texel float1: the same
 SHARED_CONST uint kBindingPathLight = 52;      // storage, PathLight[], by slot
 

@@ -25,6 +25,7 @@ SHARED_CONST uint kSpecEyeMode = 12u;          // kEyeImage, kEyeImportons, kEye
 SHARED_CONST uint kSpecHasCausticMap = 13u;
 SHARED_CONST uint kSpecHasGlobalMap = 14u;
 
+SHARED_CONST uint kSpecReadsCells = 30u;       // gather rays read an irradiance map instead of photons
 SHARED_CONST uint kSpecDispatchWorkgroup = 19u;  // workgroup size of the kernels dispatched indirectly
 SHARED_CONST uint kSpecPixelFilter = 16u;      // kFilter*
 SHARED_CONST uint kSpecIsGuided = 17u;         // emission follows a guide

@@ -225,6 +225,11 @@ struct AovMapPush {
   uint levels;  // counter with the map's grid levels
 };
 
+/// kernels/aov_cells.comp
+struct AovCellsPush {
+  uint count;
+};
+
 /// kernels/trace.comp
 struct TracePush {
   uint source;  // counter of the queue

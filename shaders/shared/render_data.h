@@ -45,6 +45,8 @@ struct Parameters {
   float densityScale;        // growth of D_r over passes
   uint cameraMedium;         // material of the solid that the camera is in, kNone: none
   float importonFlux;        // pixels that each importon starts with
+  float irradianceUnits;     // of fixed-point flux per W in the irradiance map
+  float irradianceScale;     // W per such unit, for one pass
   MapSettings causticMap;
   MapSettings globalMap;
 };
@@ -65,6 +67,7 @@ struct PathState {
   uint outerMedium;    // the one around it: lib/path.glsl
   float pdfSolidAngle; // of the sampled direction, 1/sr; 0 after a specular event
   float lightWeight;   // sum of the light weights at the last vertex, for MIS
+  uint light;          // photon: where it comes from
   float distance;      // m, length since the last non-specular vertex
 };
 
@@ -93,7 +96,11 @@ SHARED_CONST uint kPathLookup = 0x400u;      // asks for a map lookup at its ver
 SHARED_CONST uint kPathLookupGlobal = 0x800u;  // of the global map; else of the caustic map
 SHARED_CONST uint kPathDeep = 0x1000u;       // has gone on after its first gather ray
 SHARED_CONST uint kPathShadowDeep = 0x2000u; // its shadow ray counts as indirect light
+SHARED_CONST uint kPathLookupRest = 0x8000u; // its map lookup is for all but the diffuse light
 SHARED_CONST uint kPathLookupDeep = 0x4000u; // its map lookup counts as indirect light
+
+/// Along each side of the scene: lib/light_voxel.glsl.
+SHARED_CONST uint kLightVoxels = 64u;
 
 /// Importance is estimated at every so-manieth importon, from all of them.
 SHARED_CONST uint kImportonsPerSite = 4u;

@@ -194,6 +194,11 @@ void addDensityOptions(CLI::App& app, RenderJob& job) {
                             {{"power", EmissionChoice::power}, {"guided", EmissionChoice::guided}}, job.emission,
                             "photons by the lights' power, or guided to what matters\n(default: guided where it pays)")
       ->group(group);
+  addChoice<GatherSource>(app, "--gather-from",
+                          {{"photons", GatherSource::photons}, {"cells", GatherSource::cells}}, job.gatherFrom,
+                          "final gather rays read the photons around them, or the\nirradiance of the surface cell that "
+                          "they meet\n(default: cells under density control without --redistribute)")
+      ->group(group);
   app.add_option("--caustic-density", job.causticDensity,
                  withDefault("required in the caustic map, photons per pixel footprint", job.causticDensity))
       ->check(positive("photons"))

@@ -97,6 +97,9 @@ void traceAovs(const Stage& stage, const EyeMaps& maps, uint first, uint count, 
   };
   addMap(maps.caustic, maps.importance->caustic, false);
   addMap(maps.global, maps.importance->global, true);
+  if (!maps.hasCells) return;
+  maps.importance->global.bind(table);
+  stage.recorder.dispatch(stage.kernels.aovCells, table, count, AovCellsPush{count});
 }
 
 }  // namespace importon

@@ -38,6 +38,11 @@ bool usesTextures(const Material& m) {
   return std::any_of(std::begin(slots), std::end(slots), [](uint slot) { return slot != kNone; });
 }
 
+bool readsCells(const RenderJob& job) {
+  if (job.gatherFrom != GatherSource::automatic) return job.gatherFrom == GatherSource::cells;
+  return job.control == DensityControl::density && !job.redistribute && job.importance == ImportanceChoice::map;
+}
+
 bool hasAnyColor(const Scene& scene) {
   constexpr uint kWhiteHalves = 0x3C003C00u;
   return std::any_of(scene.vertices.begin(), scene.vertices.end(), [](const Vertex& v) {
@@ -68,10 +73,11 @@ FeatureSet findFeatures(const Scene& scene, const RenderJob& job) {
   f.hasVertexColors = hasAnyColor(scene);
   f.needsGlobalMap = true;
   if (job.forcesAllFeatures) {
-    f = {true, true, true, true, true, true, true, true, true, true, true, 0, true, true};
+    f = {true, true, true, true, true, true, true, true, true, true, true, 0, true, false, true};
   }
+  f.readsCells = readsCells(job);
   f.pixelFilter = static_cast<uint>(job.filter);
-  if (job.integrator == Integrator::path) f.needsCausticMap = f.needsGlobalMap = false;
+  if (job.integrator == Integrator::path) f.needsCausticMap = f.needsGlobalMap = f.readsCells = false;
   return f;
 }
 
@@ -88,7 +94,8 @@ std::vector<gpu::Specialization> specializations(const FeatureSet& f) {
           {kSpecHasEnvironment, f.hasEnvironment},
           {kSpecPixelFilter, f.pixelFilter},
           {kSpecHasCausticMap, f.needsCausticMap},
-          {kSpecHasGlobalMap, f.needsGlobalMap}};
+          {kSpecHasGlobalMap, f.needsGlobalMap},
+          {kSpecReadsCells, f.readsCells}};
 }
 
 }  // namespace importon

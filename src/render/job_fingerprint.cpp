@@ -19,9 +19,9 @@ std::string shown(const std::optional<T>& value) {
 }
 
 std::string settingsOf(const RenderJob& job) {
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", static_cast<int>(job.filter),
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", static_cast<int>(job.filter),
                      static_cast<int>(job.integrator), shown(job.photons), shown(job.importons),
-                     static_cast<int>(job.control), job.probabilityFloor, static_cast<int>(job.importance),
+                     static_cast<int>(job.control), static_cast<int>(job.gatherFrom), job.probabilityFloor, static_cast<int>(job.importance),
                      static_cast<int>(job.differentialBound), static_cast<int>(job.emission), shown(job.photonBatch),
                      job.causticDensity,
                      job.globalDensity, shown(job.constantDensity), shown(job.redistribute), shown(job.gather),

@@ -66,6 +66,8 @@ std::vector<Entry> listMaps(KernelSet& k, const RenderJob& job) {
           {&k.photonScatter, "scatter photon", "photon_scatter", {{kSpecPhotonKind, kPhotonsGlobal}}},
           {&k.causticScatter, "scatter caustic photon", "photon_scatter", {{kSpecPhotonKind, kPhotonsCaustic}}},
           {&k.guideLearn, "learn guide", "guide_learn", {}},
+          {&k.irradianceAdd, "add to irradiance", "irradiance_add", {}},
+          {&k.aovCells, "AOV cells", "aov_cells", {}},
           {&k.recordSelect, "select records", "record_select", {}},
           {&k.hitKey, "required density", "hit_key", {}},
           {&k.photonQuota, "density quota", "photon_quota", {}},

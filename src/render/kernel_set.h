@@ -11,7 +11,7 @@ struct KernelSet {
   gpu::Kernel eyeEmit, eyeScatter, eyeLight, mapLookup, filmAdd, aovSurface, aovMap;
   gpu::Kernel importonEmit, importonDifferential, importonBound, importonScatter, importonCount, importonLevel, importonEntries, importonPoints,
       importonDensity, importonKey, importonResolve;
-  gpu::Kernel photonEmit, photonEmitGuided, photonScatter, causticScatter, guideLearn;
+  gpu::Kernel photonEmit, photonEmitGuided, photonScatter, causticScatter, guideLearn, irradianceAdd, aovCells;
   gpu::Kernel recordSelect, hitKey, photonQuota, photonStore, photonThin, pilotCount, photonKey,
       photonRedistribute, photonResolve, fluxSum;
   gpu::Kernel cellFind, cellClaim, cellSettle, cellAdd, cellClear;

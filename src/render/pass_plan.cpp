@@ -19,6 +19,7 @@ constexpr double kQuotaPhotons = 8;         // Q
 constexpr int kSamplesPerPass = 4;          // camera paths per pixel that share one photon map
 constexpr double kLargestLookup = 0.025;     // radius over the scene's largest side
 constexpr std::uint64_t kBytesPerPhoton = 96;  // stored, sorted and finished, with its share of the cells
+constexpr std::uint64_t kBytesPerCell = 128;    // two sides, two halves
 constexpr uint kImportonLevels = 21;        // grid levels at which an importon may stand
 
 MapSettings mapSettings(const RenderJob& job, double photonsPerPixel, uint mask, double extent, LookupPhotons lookup) {
@@ -70,7 +71,9 @@ PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2
   const std::uint64_t heapShare = job.memoryMiB ? *job.memoryMiB << 20 : limits.heapBytes / 4;
   const std::uint64_t byRange = limits.maxStorageBufferRange / 24;
   plan.mapCapacity = std::min({plan.photons * events, heapShare / (2 * kBytesPerPhoton), byRange});
+  plan.mostCells = std::min({4 * pixels + (1u << 16), heapShare / kBytesPerCell, limits.maxStorageBufferRange / 64});
   plan.workspace.slots = std::max<std::uint64_t>({plan.workspace.slots, plan.batch, plan.importons});
+  plan.workspace.lightVoxels = std::uint64_t{kLightVoxels} * kLightVoxels * kLightVoxels;
   plan.workspace.records = std::max<std::uint64_t>(plan.batch, plan.importons) * events;
   plan.workspace.entries = std::max<std::uint64_t>(
       {plan.workspace.records, plan.mapCapacity, std::uint64_t{plan.importons} * kImportonLevels});

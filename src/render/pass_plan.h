@@ -15,6 +15,7 @@ struct PassPlan {
   uint receivers = 0;           // M'; 0: the photon of its cell
   std::uint64_t tilePixels = 0;
   std::uint64_t mapCapacity = 0;  // photons
+  std::uint64_t mostCells = 0;    // of the irradiance map
   int maxPasses = 64;
   WorkspaceSize workspace;
 };

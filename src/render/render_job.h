@@ -13,6 +13,7 @@ enum class PixelFilter { box, gaussian, blackmanHarris };  // kFilter* of shared
 enum class DensityControl { off, density, probability };
 enum class ImportanceChoice { map, differentials };
 enum class DifferentialBound { pixel, screen };  // of required density: the most that a path nearby asks for, or the sum
+enum class GatherSource { automatic, photons, cells };
 enum class EmissionChoice { automatic, power, guided };
 
 /// Unset optionals are chosen automatically. Names follow the options of `importon render`. What decides the image
@@ -34,6 +35,7 @@ struct RenderJob {
   double probabilityFloor = 0;               // ε: least probability of storing a hit, for control by probability
   ImportanceChoice importance = ImportanceChoice::map;
   DifferentialBound differentialBound = DifferentialBound::screen;
+  GatherSource gatherFrom = GatherSource::automatic;  // cells, where the rest is as by default
   EmissionChoice emission = EmissionChoice::automatic;
   std::optional<std::uint32_t> photonBatch;  // photons traced at once
   double causticDensity = 20, globalDensity = 1.5;  // M_r, photons per pixel footprint

@@ -1,6 +1,7 @@
 /// A render in progress: device, scene, maps and film, with the named phases that renderer.cpp runs.
 #pragma once
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -10,7 +11,9 @@
 #include "render/device_scene.h"
 #include "render/eye_pass.h"
 #include "render/film.h"
+#include "render/irradiance_map.h"
 #include "render/pass_plan.h"
+#include "render/point_density.h"
 #include "render/renderer.h"
 
 namespace importon {
@@ -57,7 +60,15 @@ class RenderSession {
   [[nodiscard]] FilmLayers readFilm(int passes) const;
   void loadDevice();
   void startPass(int pass);
+  void uploadParameters();
   void fillMaps();
+  /// Cuts the surfaces into cells by importance and by where a few photons fall.
+  void makeIrradianceMap(const std::optional<PointDensity>& importance);
+  [[nodiscard]] std::optional<PointDensity> densityOfRecords(float scale, bool isFlux) const;
+  /// Adds the global photons of a pass to the irradiance map.
+  void fillCells(int pass);
+  /// Traces the pass's photons for a map batch by batch, and teaches the guide.
+  void shootBatches(MapKind kind, std::optional<EmissionGuide>& guide, const std::function<void()>& takeBatch);
   void fillMap(PhotonMap& map, MapKind kind, const ImportanceMap& importance, std::optional<EmissionGuide>& guide);
   /// Shoots photons whose only use is to teach the guides, and drops those that do not pay.
   void trainGuides();
@@ -91,6 +102,7 @@ class RenderSession {
   ImportanceMaps importance_;
   std::optional<PhotonMap> causticMap_, globalMap_;
   std::optional<ExpectedDensity> causticExpected_, globalExpected_;
+  std::optional<IrradianceMap> irradiance_;  // in place of the global map
   DensityControl control_;
   double surfaceArea_ = 0;  // m²
   std::optional<EmissionGuide> causticGuide_, globalGuide_;

@@ -32,6 +32,9 @@ std::vector<RenderSession::Lasting> RenderSession::lastingMemory() {
   if (!hasMaps()) return lasting;
   lasting.push_back({"caustic importon hits", &importance_.caustic.hits});
   lasting.push_back({"global importon hits", &importance_.global.hits});
+  lasting.push_back({"lights seen", &work_->lightsSeen});
+  if (irradiance_)
+    for (gpu::Buffer* buffer : irradiance_->memory()) lasting.push_back({fmt::format("irradiance {}", lasting.size()), buffer});
   if (causticGuide_) lasting.push_back({"caustic guide", &causticGuide_->memory()});
   if (globalGuide_) lasting.push_back({"global guide", &globalGuide_->memory()});
   return lasting;
@@ -73,6 +76,7 @@ void RenderSession::restore(const Checkpoint& checkpoint) {
   for (const Lasting& lasting : lastingMemory())
     lasting.buffer->uploadBytes(bytesOf(lasting.name, lasting.buffer->bytes()));
   for (int pass = 0; pass < std::min(checkpoint.passes, kLearningPasses); ++pass) updateGuides();
+  if (irradiance_) irradiance_->setPasses(checkpoint.passes);
   HostState host{};
   std::memcpy(static_cast<void*>(&host), bytesOf(kHostName, sizeof host).data(), sizeof host);
   stats_.closestRays = host.closestRays;

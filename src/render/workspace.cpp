@@ -41,8 +41,17 @@ Workspace::Workspace(gpu::Context& c, const WorkspaceSize& s)
       pathDifferentials(c, "path differentials", (s.hasDifferentials ? s.slots : 1) * sizeof(PathDifferential)),
       footprints(c, "footprints", (s.hasDifferentials ? s.records : 1) * sizeof(float)),
       bounds(c, "importance bounds", (s.hasDifferentials ? s.records : 1) * sizeof(float)),
+      lightsSeen(c, "lights seen", s.lightVoxels * sizeof(uvec2), TexelFormat::uint2),
+      noCells(c, "no cells", 2 * sizeof(uvec4), TexelFormat::uint4),
+      noCellsOfTriangles(c, "no cells of triangles", sizeof(uvec2), TexelFormat::uint2),
       noGuide(c, "no guide", sizeof(float), TexelFormat::float1),
       size(s) {
+  lightsSeen.upload(std::span<const uvec2>(std::vector<uvec2>(s.lightVoxels)));
+  table.set(kBindingLightsSeen, lightsSeen);
+  table.set(kBindingLightsSeenOut, lightsSeen);
+  table.set(kBindingSurfaceCells, noCellsOfTriangles);
+  for (const uint binding : {kBindingRecordCells, kBindingIrradiance, kBindingIrradianceTexels})
+    table.set(binding, noCells);
   table.set(kBindingGuideRows, noGuide);
   table.set(kBindingGuideColumns, noGuide);
   table.set(kBindingPathDifferentials, pathDifferentials);

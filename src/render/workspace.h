@@ -13,6 +13,7 @@ struct WorkspaceSize {
   std::uint64_t records = 0;  // hits of a photon batch, or importons
   std::uint64_t entries = 0;  // the longest list that is sorted or compacted
   bool hasDifferentials = false;  // of importons
+  std::uint64_t lightVoxels = 1;  // that remember which lights reach them
 };
 
 /// Buffers that all phases share. `table` has them under their binding numbers.
@@ -24,6 +25,8 @@ struct Workspace {
   gpu::Buffer keep, blockSums, keysA, keysB, valuesA, valuesB;
   gpu::Buffer recordPoints, records, required, selection, selectedPoints, neighbours, accepted;
   gpu::Buffer pathDifferentials, footprints, bounds;  // of one item without differentials
+  gpu::Buffer lightsSeen;  // two words per voxel: shaders/lib/light_voxel.glsl
+  gpu::Buffer noCells, noCellsOfTriangles;  // stands for an irradiance map where there is none
   gpu::Buffer noGuide;  // stands for an emission guide where there is none
   gpu::BindingTable table;
   WorkspaceSize size;
@@ -54,6 +57,10 @@ void overTiles(const Stage& stage, const gpu::Kernel& kernel, const gpu::Binding
                const Push& push) {
   stage.recorder.dispatchIndirect(kernel, table, stage.work.dispatches,
                                   counter * sizeof(DispatchArguments) + offsetof(DispatchArguments, tiles), push);
+}
+inline void overTiles(const Stage& stage, const gpu::Kernel& kernel, const gpu::BindingTable& table, uint counter) {
+  stage.recorder.dispatchIndirect(kernel, table, stage.work.dispatches,
+                                  counter * sizeof(DispatchArguments) + offsetof(DispatchArguments, tiles));
 }
 template <class Push>
 void overRays(const Stage& stage, const gpu::Kernel& kernel, const gpu::BindingTable& table, uint counter,

@@ -32,6 +32,7 @@ RenderJob planeJob(double density, std::uint32_t photons = 1u << 18) {
   job.importons = 1u << 14;
   job.maxDepth = 3;
   job.constantDensity = density;
+  job.gatherFrom = GatherSource::photons;
   return job;
 }
 

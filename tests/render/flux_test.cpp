@@ -160,6 +160,7 @@ TEST_F(Flux, HasNoCausticMapWithoutSpecularSurfaces) {
 TEST_F(Flux, OfInfiniteRequiredDensityIsTheUncontrolledMap) {
   const Scene scene = litSphere();
   RenderJob job = photonJob();
+  job.gatherFrom = GatherSource::photons;
   job.constantDensity = 1e9;
   const Rendered controlled = renderScene(job, scene);
   job.control = DensityControl::off;

@@ -1,0 +1,12 @@
+// Voxels of the scene that remember which lights reach them, one bit a light, as photons show it.
+#ifndef IMPORTON_LIB_LIGHT_VOXEL_GLSL
+#define IMPORTON_LIB_LIGHT_VOXEL_GLSL
+#include "shared/render_data.h"
+
+uint lightVoxel(vec3 position, vec3 origin, float extent) {
+  const float voxels = float(kLightVoxels);
+  const uvec3 at = uvec3(clamp((position - origin) * (voxels / extent), vec3(0.0), vec3(voxels - 1.0)));
+  return at.x + kLightVoxels * (at.y + kLightVoxels * at.z);
+}
+
+#endif

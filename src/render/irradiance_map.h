@@ -1,0 +1,37 @@
+/// The global photon map in cells of known area: of all photons that fall in a cell the first one takes a record, and
+/// the power of the others goes to it. A gather ray reads the record of the cell that it meets, so no light is lost at
+/// edges, and what all passes brought counts. [Arvo 1986, Heckbert 1990; Christensen 1999]
+#pragma once
+#include "render/photon_map.h"
+#include "render/surface_cells.h"
+
+namespace importon {
+
+class IrradianceMap {
+ public:
+  /// `units`: of fixed-point flux per W, few enough that all passes together do not overflow.
+  IrradianceMap(gpu::Context& context, const SurfaceCells& cells, std::uint64_t batchHits, float units);
+
+  /// Binds the half of `pass`, for photons and for reading. Passes go to the halves in turn.
+  void bind(gpu::BindingTable& table, int pass) const;
+  /// Adds the batch of hits in the workspace's records to the half that is bound in its table.
+  void addBatch(const Stage& stage) const;
+  /// Says that the photons of so many passes, from the first one on, are in the map.
+  void setPasses(int passes);
+  /// W per unit of flux in the half of `pass` once that pass is in it, so that it stands for one pass.
+  [[nodiscard]] float scale(int pass) const { return 1 / (units_ * static_cast<float>(pass / 2 + 1)); }
+  /// Flux of an average pass, of its hits and in the cells.
+  [[nodiscard]] PhotonMapCounts readFlux() const;
+  /// What lasts from pass to pass.
+  [[nodiscard]] std::vector<gpu::Buffer*> memory();
+  [[nodiscard]] std::uint64_t bytes() const;
+
+ private:
+  static std::size_t half(int pass) { return static_cast<std::size_t>(pass % 2); }
+  float units_;
+  int passes_ = 0;
+  gpu::Buffer surface_, recordCells_, totals_;
+  std::array<gpu::Buffer, 2> halves_;
+};
+
+}  // namespace importon
