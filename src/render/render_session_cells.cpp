@@ -1,0 +1,76 @@
+// The irradiance map of a render in progress.
+#include <bit>
+#include <cmath>
+
+#include "render/photon_pass.h"
+#include "render/render_session.h"
+#include "shared/bindings.h"
+
+namespace importon {
+namespace {
+
+constexpr std::uint32_t kPilotPhotons = 1u << 14;  // show where photons fall
+constexpr double kFloorPhotonsPerCell = 2;         // of the density floor, for the largest cells
+constexpr double kHitsPerCell = 4;                 // of a pass, at least, on average
+constexpr float kPasses = 1u << 20;                // that the sums have room for
+
+/// The map is cut anew, finer, at pass 7, 63, 511, ...: the photons before count for an eighth of those that follow.
+int generationOf(int pass) { return (std::bit_width(static_cast<unsigned>(pass + 1)) - 1) / 3; }
+int firstPassOf(int generation) { return (1 << (3 * generation)) - 1; }
+
+}  // namespace
+
+PointDensity RenderSession::densityOfRecords(float scale, bool isFlux) const {
+  const uint count = work_->counters.download<uint>(1, kCounterRecords * sizeof(uint)).front();
+  const auto points = work_->recordPoints.download<MapPoint>(count);
+  const auto records = work_->records.download<Record>(count);
+  std::vector<vec3> positions;
+  std::vector<float> weights;
+  for (std::size_t i = 0; i < count; ++i) {
+    if ((records[i].kind & kRecordGlobal) == 0) continue;
+    positions.push_back(points[i].position);
+    weights.push_back(scale * (isFlux ? records[i].flux.x : 1.0f));
+  }
+  return PointDensity(positions, weights, parameters_.gridOrigin, parameters_.gridExtent);
+}
+
+void RenderSession::findCellSizes() {
+  startPass(0);
+  const std::uint32_t pilot = std::min({plan_.batch, plan_.photons, kPilotPhotons});
+  if (pilot > 0) tracePhotons(*stage_, {MapKind::global, nullptr, true}, 0, pilot, parameters_.maxDepth);
+  recorder_->submitAndWait();
+  const float perPass = static_cast<float>(plan_.photons) / static_cast<float>(std::max(pilot, 1u));
+  cellSizes_->hits = densityOfRecords(perPass, false);
+  parameters_.irradianceUnits = parameters_.fluxScale / kPasses;
+}
+
+void RenderSession::cutCells(int generation) {
+  const double floor = static_cast<double>(parameters_.globalMap.densityFloor) / kFloorPhotonsPerCell;
+  const double constant = static_cast<double>(parameters_.globalMap.constantDensity);
+  const double growth = std::exp2(generation);  // as required density grows: the cube root of the passes
+  const auto density = [&](vec3 position) {
+    if (constant > 0) return constant * growth;
+    const double required = cellSizes_->importance.at(position) * static_cast<double>(parameters_.globalMap.photonsPerPixel);
+    return growth * std::max(floor, std::min(required, cellSizes_->hits->at(position) / kHitsPerCell));
+  };
+  irradiance_.reset();  // its memory is needed
+  irradiance_.emplace(*context_, cutSurfaces(scene_, density, plan_.mostCells, job_.threads), plan_.workspace.records,
+                      parameters_.irradianceUnits, firstPassOf(generation));
+}
+
+void RenderSession::prepareCells(int pass) {
+  const int generation = generationOf(pass);
+  if (!irradiance_ || irradiance_->firstPass() != firstPassOf(generation)) cutCells(generation);
+  parameters_.irradianceScale = irradiance_->scale(pass);
+  irradiance_->bind(work_->table, pass);
+}
+
+void RenderSession::fillCells(int pass) {
+  shootBatches(MapKind::global, globalGuide_, [&] {
+    irradiance_->addBatch(*stage_);
+    if (globalGuide_) selectRecords(*stage_, recordMask(MapKind::global));  // what it learns from
+  });
+  irradiance_->setPasses(pass + 1);
+}
+
+}  // namespace importon
