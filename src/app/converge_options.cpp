@@ -70,6 +70,7 @@ std::vector<KnownConfig> knownConfigs() {
           {"uncontrolled", "--control off"},
           {"density", "--control density"},
           {"unfiltered", "--indirect-filter off"},
+          {"differentials", "--importance differentials"},
           {"path", "--integrator path"}};
 }
 
