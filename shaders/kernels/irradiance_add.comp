@@ -36,6 +36,6 @@ void main() {
     const uint high = sums[c].y + uint(before + sums[c].x < before);
     if (high != 0u) atomicAdd(totals[2u * c + 1u], high);
   }
-  atomicAdd(counters[kCounterMap + kCountersPerMap + kMapHits], hits);
-  atomicAdd(counters[kCounterMap + kCountersPerMap + kMapStored], lit);
+  atomicAdd(counters[kCounterCellHits], hits);
+  atomicAdd(counters[kCounterCellsLit], lit);
 }

@@ -231,6 +231,9 @@ SHARED_CONST uint kMapStored = 0u;
 SHARED_CONST uint kMapHits = 1u;
 SHARED_CONST uint kMapOverflow = 2u;           // photons that found no room
 SHARED_CONST uint kMapLevels = 3u;             // grid levels of the finished map, a bit each
+// Of the irradiance map in this pass.
+SHARED_CONST uint kCounterCellHits = 40u;
+SHARED_CONST uint kCounterCellsLit = 41u;  // cell sides that had their first photon
 SHARED_CONST uint kCounterCount = 64u;
 
 SHARED_END

@@ -74,7 +74,7 @@ void traceImage(const Stage& stage, const EyeMaps& maps, uint sample, uint first
     overItems(stage, stage.kernels.eyeScatter, table, queues.counter, EyeScatterPush{queues.counter, 1});
     traceShadowRays(stage, table, queues.counter);
     if (maps.caustic != nullptr) lookUp(stage, table, maps.importance->caustic, *maps.caustic, queues.counter, false);
-    if (maps.global != nullptr && depth > 0)
+    if (maps.global != nullptr && !maps.hasCells && depth > 0)
       lookUp(stage, table, maps.importance->global, *maps.global, queues.counter, true);
     compact(stage, queues.counter, queues.nextCounter, queues.now, *queues.next, kCounterRaysClosest);
     queues.swap();
@@ -97,7 +97,7 @@ void traceAovs(const Stage& stage, const EyeMaps& maps, uint first, uint count, 
   };
   addMap(maps.caustic, maps.importance->caustic, false);
   addMap(maps.global, maps.importance->global, true);
-  if (!maps.hasCells) return;
+  if (!maps.hasCells || maps.global != nullptr) return;
   maps.importance->global.bind(table);
   stage.recorder.dispatch(stage.kernels.aovCells, table, count, AovCellsPush{count});
 }

@@ -14,8 +14,8 @@ void traceImportons(const Stage& stage, const ImportanceMap& global, std::uint32
 struct EyeMaps {
   const ImportanceMaps* importance = nullptr;
   const PhotonMap* caustic = nullptr;
-  const PhotonMap* global = nullptr;  // null too where an irradiance map is bound in its place
-  bool hasCells = false;              // there is one
+  const PhotonMap* global = nullptr;
+  bool hasCells = false;              // gather rays read the irradiance map that is bound
 };
 
 /// One path, the pass's `sample`-th, for each of the pixels `first` .. `first + count`; adds what they bring to `film`

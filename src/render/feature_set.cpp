@@ -40,7 +40,7 @@ bool usesTextures(const Material& m) {
 
 bool readsCells(const RenderJob& job) {
   if (job.gatherFrom != GatherSource::automatic) return job.gatherFrom == GatherSource::cells;
-  return job.control == DensityControl::density && !job.redistribute && job.importance == ImportanceChoice::map;
+  return job.control != DensityControl::probability && !job.redistribute && job.importance == ImportanceChoice::map;
 }
 
 bool hasAnyColor(const Scene& scene) {

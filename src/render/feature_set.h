@@ -22,7 +22,7 @@ struct FeatureSet {
   bool hasEnvironment = false;
   uint pixelFilter = 0;            // kFilter*
   bool needsCausticMap = false;    // a smooth reflecting or transmitting surface
-  bool readsCells = false;         // the global map is one of surface cells, not of photons
+  bool readsCells = false;         // gather rays read surface cells, not photons
   bool needsGlobalMap = false;     // light that comes from a surface that is no light
 };
 

@@ -26,8 +26,10 @@ std::uint64_t wordPair(std::span<const uint> words, std::size_t at) {
 
 }  // namespace
 
-IrradianceMap::IrradianceMap(gpu::Context& context, const SurfaceCells& cells, std::uint64_t batchHits, float units)
+IrradianceMap::IrradianceMap(gpu::Context& context, const SurfaceCells& cells, std::uint64_t batchHits, float units,
+                             int firstPass)
     : units_(units),
+      firstPass_(firstPass),
       surface_(gpu::makeBuffer(context, "surface cells", std::span<const uvec2>(cells.triangles), TexelFormat::uint2)),
       recordCells_(context, "cells of hits", batchHits * sizeof(uvec2)),
       totals_(gpu::makeBuffer(context, "irradiance totals", std::span<const uint>(std::vector<uint>(6)))) {
@@ -48,8 +50,6 @@ void IrradianceMap::addBatch(const Stage& stage) const {
   table.set(kBindingTotals, totals_);
   overTiles(stage, stage.kernels.irradianceAdd, table, kCounterRecords);
 }
-
-void IrradianceMap::setPasses(int passes) { passes_ = passes; }
 
 std::vector<gpu::Buffer*> IrradianceMap::memory() { return {&halves_[0], &halves_[1], &totals_}; }
 

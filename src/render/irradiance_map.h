@@ -10,16 +10,18 @@ namespace importon {
 class IrradianceMap {
  public:
   /// `units`: of fixed-point flux per W, few enough that all passes together do not overflow.
-  IrradianceMap(gpu::Context& context, const SurfaceCells& cells, std::uint64_t batchHits, float units);
+  /// `firstPass`: before it the map is empty.
+  IrradianceMap(gpu::Context& context, const SurfaceCells& cells, std::uint64_t batchHits, float units, int firstPass);
 
   /// Binds the half of `pass`, for photons and for reading. Passes go to the halves in turn.
   void bind(gpu::BindingTable& table, int pass) const;
   /// Adds the batch of hits in the workspace's records to the half that is bound in its table.
   void addBatch(const Stage& stage) const;
-  /// Says that the photons of so many passes, from the first one on, are in the map.
-  void setPasses(int passes);
+  [[nodiscard]] int firstPass() const { return firstPass_; }
+  /// Says that the photons of all passes from the first one to before `end` are in the map.
+  void setPasses(int end) { passes_ = end - firstPass_; }
   /// W per unit of flux in the half of `pass` once that pass is in it, so that it stands for one pass.
-  [[nodiscard]] float scale(int pass) const { return 1 / (units_ * static_cast<float>(pass / 2 + 1)); }
+  [[nodiscard]] float scale(int pass) const { return 1 / (units_ * static_cast<float>((pass - firstPass_) / 2 + 1)); }
   /// Flux of an average pass, of its hits and in the cells.
   [[nodiscard]] PhotonMapCounts readFlux() const;
   /// What lasts from pass to pass.
@@ -29,7 +31,7 @@ class IrradianceMap {
  private:
   static std::size_t half(int pass) { return static_cast<std::size_t>(pass % 2); }
   float units_;
-  int passes_ = 0;
+  int firstPass_, passes_ = 0;
   gpu::Buffer surface_, recordCells_, totals_;
   std::array<gpu::Buffer, 2> halves_;
 };

@@ -71,7 +71,7 @@ PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2
   const std::uint64_t heapShare = job.memoryMiB ? *job.memoryMiB << 20 : limits.heapBytes / 4;
   const std::uint64_t byRange = limits.maxStorageBufferRange / 24;
   plan.mapCapacity = std::min({plan.photons * events, heapShare / (2 * kBytesPerPhoton), byRange});
-  plan.mostCells = std::min({4 * pixels + (1u << 16), heapShare / kBytesPerCell, limits.maxStorageBufferRange / 64});
+  plan.mostCells = std::min({16 * pixels + (1u << 18), heapShare / kBytesPerCell, limits.maxStorageBufferRange / 64});
   plan.workspace.slots = std::max<std::uint64_t>({plan.workspace.slots, plan.batch, plan.importons});
   plan.workspace.lightVoxels = std::uint64_t{kLightVoxels} * kLightVoxels * kLightVoxels;
   plan.workspace.records = std::max<std::uint64_t>(plan.batch, plan.importons) * events;

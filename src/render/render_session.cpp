@@ -22,8 +22,6 @@ using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 constexpr int kCausticBins = 128, kGlobalBins = 16;  // of a guide, along both axes of a light's unit square
-constexpr std::uint32_t kPilotPhotons = 1u << 14;  // show where photons fall
-constexpr double kFloorPhotonsPerCell = 2;           // of the density floor, for the largest cells
 constexpr double kLeastGain = 1.5;                  // learned, from which on global photons are guided
 
 /// m², of one side.
@@ -70,7 +68,7 @@ RenderSession::RenderSession(const RenderJob& job, const Scene& scene, Log& log)
   importance_ = makeImportanceMaps(*context_, plan_.importons * (std::uint64_t{parameters_.maxDepth} + 1),
                                    plan_.workspace.hasDifferentials);
   if (hasMaps()) {
-    if (!features_.readsCells)
+    if (!features_.readsCells || job.control == DensityControl::off)
       globalMap_.emplace(*context_, MapKind::global, plan_.mapCapacity, plan_.workspace.records);
     if (features_.needsCausticMap)
       causticMap_.emplace(*context_, MapKind::caustic, plan_.mapCapacity, plan_.workspace.records);
@@ -91,11 +89,10 @@ void RenderSession::findImportance() {
                   causticMap_.has_value());
   // A camera that sees no surface to light needs no photons, nor does a scene that has no light to shoot them.
   if (scene_.lights.empty() || (importance_.global.count == 0 && importance_.caustic.count == 0)) plan_.photons = 0;
-  std::optional<PointDensity> importance;
-  if (features_.readsCells) importance = densityOfRecords(1, true);
+  if (features_.readsCells) cellSizes_.emplace(densityOfRecords(1, true));
   trainGuides();
   shootPilot();
-  if (features_.readsCells) makeIrradianceMap(importance);
+  if (features_.readsCells) findCellSizes();
   stats_.importonsEmitted = plan_.importons;
   stats_.importonsCaustic = importance_.caustic.count;
   stats_.importonsGlobal = importance_.global.count;
@@ -144,52 +141,15 @@ StorageRule RenderSession::storageRule(MapKind kind) const {
   return {control_, plan_.receivers, expected ? &*expected : nullptr, static_cast<float>(job_.probabilityFloor)};
 }
 
-void RenderSession::makeIrradianceMap(const std::optional<PointDensity>& importance) {
-  startPass(0);
-  const std::uint32_t pilot = std::min({plan_.batch, plan_.photons, kPilotPhotons});
-  if (pilot > 0) tracePhotons(*stage_, {MapKind::global, nullptr, true}, 0, pilot, parameters_.maxDepth);
-  recorder_->submitAndWait();
-  const std::optional<PointDensity> hits =
-      densityOfRecords(static_cast<float>(plan_.photons) / static_cast<float>(std::max(pilot, 1u)), false);
-  const double floor = parameters_.globalMap.densityFloor / kFloorPhotonsPerCell;
-  const double constant = static_cast<double>(parameters_.globalMap.constantDensity);
-  const auto density = [&](vec3 position) {
-    if (constant > 0) return constant;
-    const double required = importance->at(position) * static_cast<double>(parameters_.globalMap.photonsPerPixel);
-    return std::max(floor, std::min(required, hits->at(position)));
-  };
-  const SurfaceCells cells = cutSurfaces(scene_, density, plan_.mostCells, job_.threads);
-  constexpr float kPasses = 1u << 20;  // that the sums have room for
-  parameters_.irradianceUnits = parameters_.fluxScale / kPasses;
-  irradiance_.emplace(*context_, cells, plan_.workspace.records, parameters_.irradianceUnits);
-}
-
 void RenderSession::updateGuides() {
   for (std::optional<EmissionGuide>* guide : {&globalGuide_, &causticGuide_})
     if (*guide) (*guide)->update();
 }
 
-std::optional<PointDensity> RenderSession::densityOfRecords(float scale, bool isFlux) const {
-  const uint count = work_->counters.download<uint>(1, kCounterRecords * sizeof(uint)).front();
-  const auto points = work_->recordPoints.download<MapPoint>(count);
-  const auto records = work_->records.download<Record>(count);
-  std::vector<vec3> positions;
-  std::vector<float> weights;
-  for (std::size_t i = 0; i < count; ++i) {
-    if ((records[i].kind & kRecordGlobal) == 0) continue;
-    positions.push_back(points[i].position);
-    weights.push_back(scale * (isFlux ? records[i].flux.x : 1.0f));
-  }
-  return PointDensity(positions, weights, parameters_.gridOrigin, parameters_.gridExtent);
-}
-
 void RenderSession::startPass(int pass) {
   parameters_.pass = static_cast<uint>(pass);
   parameters_.densityScale = std::cbrt(static_cast<float>(pass + 1));  // r² shrinks as its inverse
-  if (irradiance_) {
-    parameters_.irradianceScale = irradiance_->scale(pass);
-    irradiance_->bind(work_->table, pass);
-  }
+  if (features_.readsCells && cellSizes_->hits) prepareCells(pass);
   uploadParameters();
   recorder_->fill(work_->counters, 0);
 }
@@ -202,13 +162,17 @@ void RenderSession::shootPhotons(int pass) {
   startPass(pass);
   if (!hasMaps()) return;
   const Clock::time_point start = Clock::now();
-  if (irradiance_) fillCells(pass);
-  fillMaps();
+  shootGlobalPhotons(true);
+  shootCausticPhotons(true);
+  recorder_->submitAndWait();
   while (isMapFull()) {
     controlHarder();
     uploadParameters();
-    fillMaps();
+    shootGlobalPhotons(false);
+    shootCausticPhotons(false);
+    recorder_->submitAndWait();
   }
+  if (irradiance_) irradiance_->setPasses(pass + 1);
   if (pass < kLearningPasses) updateGuides();
   stats_.seconds.photons += secondsSince(start);
 }
@@ -229,37 +193,37 @@ void RenderSession::controlHarder() {
                                "required, each with more power");
 }
 
-void RenderSession::shootBatches(MapKind kind, std::optional<EmissionGuide>& guide,
+void RenderSession::shootBatches(MapKind kind, EmissionGuide* guide, bool isLearning,
                                  const std::function<void()>& takeBatch) {
   const ImportanceMap& importance = kind == MapKind::global ? importance_.global : importance_.caustic;
-  const bool isLearning = guide && static_cast<int>(parameters_.pass) < kLearningPasses;
   for (std::uint32_t first = 0; first < plan_.photons; first += plan_.batch) {
-    tracePhotons(*stage_, {kind, guide ? &*guide : nullptr}, first, std::min(plan_.batch, plan_.photons - first),
-                 parameters_.maxDepth);
+    tracePhotons(*stage_, {kind, guide}, first, std::min(plan_.batch, plan_.photons - first), parameters_.maxDepth);
     takeBatch();
-    if (isLearning) guide->learn(*stage_, importance, meanImportance());
+    if (!isLearning || guide == nullptr) continue;
+    selectRecords(*stage_, recordMask(kind));
+    guide->learn(*stage_, importance, meanImportance());
   }
 }
 
-void RenderSession::fillCells(int pass) {
-  shootBatches(MapKind::global, globalGuide_, [&] {
-    irradiance_->addBatch(*stage_);
-    if (globalGuide_) selectRecords(*stage_, recordMask(MapKind::global));  // what it learns from
+void RenderSession::shootGlobalPhotons(bool isFirst) {
+  if (!isFirst && !globalMap_) return;
+  if (globalMap_) globalMap_->begin(*stage_);
+  const bool isLearning = isFirst && static_cast<int>(parameters_.pass) < kLearningPasses;
+  shootBatches(MapKind::global, globalGuide_ ? &*globalGuide_ : nullptr, isLearning, [&] {
+    if (irradiance_ && isFirst) irradiance_->addBatch(*stage_);
+    if (globalMap_) globalMap_->addBatch(*stage_, importance_.global, storageRule(MapKind::global));
   });
-  irradiance_->setPasses(pass + 1);
+  if (globalMap_) globalMap_->finish(*stage_, importance_.global);
 }
 
-void RenderSession::fillMaps() {
-  if (globalMap_) fillMap(*globalMap_, MapKind::global, importance_.global, globalGuide_);
-  if (causticMap_) fillMap(*causticMap_, MapKind::caustic, importance_.caustic, causticGuide_);
-  recorder_->submitAndWait();
-}
-
-void RenderSession::fillMap(PhotonMap& map, MapKind kind, const ImportanceMap& importance,
-                            std::optional<EmissionGuide>& guide) {
-  map.begin(*stage_);
-  shootBatches(kind, guide, [&] { map.addBatch(*stage_, importance, storageRule(kind)); });
-  map.finish(*stage_, importance);
+void RenderSession::shootCausticPhotons(bool isFirst) {
+  if (!causticMap_) return;
+  causticMap_->begin(*stage_);
+  const bool isLearning = isFirst && static_cast<int>(parameters_.pass) < kLearningPasses;
+  shootBatches(MapKind::caustic, causticGuide_ ? &*causticGuide_ : nullptr, isLearning, [&] {
+    causticMap_->addBatch(*stage_, importance_.caustic, storageRule(MapKind::caustic));
+  });
+  causticMap_->finish(*stage_, importance_.caustic);
 }
 
 EyeMaps RenderSession::eyeMaps() const {
@@ -302,11 +266,10 @@ void RenderSession::countPass(int) {
   if (!hasMaps()) return;
   stats_.photonsEmitted += plan_.photons * (causticMap_ ? 2u : 1u);
   if (globalMap_) addCounts(stats_.global, globalMap_->readCounts(*stage_, parameters_.fluxScale), "global");
-  if (irradiance_) {
-    const uint first = kCounterMap + kCountersPerMap * static_cast<uint>(MapKind::global);
-    stats_.global.hits += counters[first + kMapHits];
-    stats_.global.stored += counters[first + kMapStored];
-    stats_.global.redistributed += counters[first + kMapHits] - counters[first + kMapStored];
+  else if (irradiance_) {
+    stats_.global.hits += counters[kCounterCellHits];
+    stats_.global.stored += counters[kCounterCellsLit];
+    stats_.global.redistributed += counters[kCounterCellHits] - counters[kCounterCellsLit];
   }
   if (causticMap_) addCounts(stats_.caustic, causticMap_->readCounts(*stage_, parameters_.fluxScale), "caustic");
 }
@@ -367,7 +330,7 @@ void RenderSession::finishStats(int passes) {
     if (*map) stats_.photonMapBytes += (*map)->bytes();
   if (irradiance_) {
     stats_.photonMapBytes += irradiance_->bytes();
-    addCounts(stats_.global, irradiance_->readFlux(), "global");
+    if (!globalMap_) addCounts(stats_.global, irradiance_->readFlux(), "global");
   }
   for (const gpu::KernelTime& t : recorder_->times())
     stats_.kernels.push_back({t.label, t.launches, t.milliseconds});

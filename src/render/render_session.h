@@ -61,15 +61,23 @@ class RenderSession {
   void loadDevice();
   void startPass(int pass);
   void uploadParameters();
-  void fillMaps();
-  /// Cuts the surfaces into cells by importance and by where a few photons fall.
-  void makeIrradianceMap(const std::optional<PointDensity>& importance);
-  [[nodiscard]] std::optional<PointDensity> densityOfRecords(float scale, bool isFlux) const;
-  /// Adds the global photons of a pass to the irradiance map.
-  void fillCells(int pass);
-  /// Traces the pass's photons for a map batch by batch, and teaches the guide.
-  void shootBatches(MapKind kind, std::optional<EmissionGuide>& guide, const std::function<void()>& takeBatch);
-  void fillMap(PhotonMap& map, MapKind kind, const ImportanceMap& importance, std::optional<EmissionGuide>& guide);
+  /// What the sizes of surface cells follow: importance, pixels/m², and the photon hits of a pass per m².
+  struct CellSizes {
+    PointDensity importance;
+    std::optional<PointDensity> hits;
+  };
+  /// How densely the records for the global map lie: each counts `scale`, or as many times its flux.
+  [[nodiscard]] PointDensity densityOfRecords(float scale, bool isFlux) const;
+  /// Shoots a few photons to see where they fall.
+  void findCellSizes();
+  void cutCells(int generation);
+  /// Has the irradiance map ready for a pass.
+  void prepareCells(int pass);
+  /// Traces the pass's photons for a map batch by batch, and teaches the guide, if any.
+  void shootBatches(MapKind kind, EmissionGuide* guide, bool isLearning, const std::function<void()>& takeBatch);
+  /// Fills what holds the photons of a pass. `isFirst`: not yet done in this pass, with a map that was too small.
+  void shootGlobalPhotons(bool isFirst);
+  void shootCausticPhotons(bool isFirst);
   /// Shoots photons whose only use is to teach the guides, and drops those that do not pay.
   void trainGuides();
   void updateGuides();
@@ -102,7 +110,8 @@ class RenderSession {
   ImportanceMaps importance_;
   std::optional<PhotonMap> causticMap_, globalMap_;
   std::optional<ExpectedDensity> causticExpected_, globalExpected_;
-  std::optional<IrradianceMap> irradiance_;  // in place of the global map
+  std::optional<CellSizes> cellSizes_;
+  std::optional<IrradianceMap> irradiance_;  // in place of the global map, or made from the same photons
   DensityControl control_;
   double surfaceArea_ = 0;  // m²
   std::optional<EmissionGuide> causticGuide_, globalGuide_;

@@ -65,12 +65,4 @@ void RenderSession::prepareCells(int pass) {
   irradiance_->bind(work_->table, pass);
 }
 
-void RenderSession::fillCells(int pass) {
-  shootBatches(MapKind::global, globalGuide_, [&] {
-    irradiance_->addBatch(*stage_);
-    if (globalGuide_) selectRecords(*stage_, recordMask(MapKind::global));  // what it learns from
-  });
-  irradiance_->setPasses(pass + 1);
-}
-
 }  // namespace importon

@@ -73,10 +73,13 @@ void RenderSession::restore(const Checkpoint& checkpoint) {
     if (block != nullptr && block->bytes.size() == size) return block->bytes;
     throw SceneError("the checkpoint has no fitting " + name, job_.resume.string(), "start again without --resume");
   };
+  if (features_.readsCells) {
+    prepareCells(std::max(checkpoint.passes - 1, 0));
+    irradiance_->setPasses(checkpoint.passes);
+  }
   for (const Lasting& lasting : lastingMemory())
     lasting.buffer->uploadBytes(bytesOf(lasting.name, lasting.buffer->bytes()));
   for (int pass = 0; pass < std::min(checkpoint.passes, kLearningPasses); ++pass) updateGuides();
-  if (irradiance_) irradiance_->setPasses(checkpoint.passes);
   HostState host{};
   std::memcpy(static_cast<void*>(&host), bytesOf(kHostName, sizeof host).data(), sizeof host);
   stats_.closestRays = host.closestRays;
