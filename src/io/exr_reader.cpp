@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "fmt/format.h"
+#include "io/exr_header.h"
 #include "io/image.h"
 
 namespace importon {
@@ -19,6 +20,12 @@ namespace {
 
 // A damaged header may claim any size; 2^30 values are 4 GiB.
 constexpr std::int64_t kMostValues = std::int64_t{1} << 30;
+
+/// Values that a byte of a file may stand for, in the mean: no compression of a constant image does better.
+std::int64_t mostValuesPerByte(Imf::Compression compression) {
+  const bool isLossy = compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION;
+  return isLossy ? 16384 : 1024;
+}
 
 bool isSubsampled(const Imf::Header& header) {
   for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
@@ -34,8 +41,9 @@ bool isLuminanceChroma(const Imf::Header& header) {
          channels.findChannel("BY") != nullptr;
 }
 
-/// Checks the size of a part, with its channels beside those there are already.
-void checkSize(const Imf::Header& header, const std::string& where, std::size_t channelsBefore) {
+/// Checks the size of a part of a file of `fileBytes`, with its channels beside those there are already: before memory
+/// is taken for it.
+void checkSize(const Imf::Header& header, const std::string& where, std::size_t channelsBefore, std::int64_t fileBytes) {
   const Imath::Box2i window = header.dataWindow();
   const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
   const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
@@ -47,6 +55,9 @@ void checkSize(const Imf::Header& header, const std::string& where, std::size_t 
         fmt::format("an image of {} x {} pixels with {} channels is too large", width, height, channels), where,
         "scale it down, or check that the file is whole");
   }
+  if (width * height / mostValuesPerByte(header.compression()) > fileBytes)
+    throw SceneError(fmt::format("a file of {} bytes cannot hold {} x {} pixels", fileBytes, width, height), where,
+                     "check that the file is whole");
 }
 
 void readAttributes(const Imf::Header& header, Image& image) {
@@ -103,14 +114,16 @@ std::string prefixOf(const Imf::Header& header) {
 }
 
 Image readImage(const std::filesystem::path& file, const std::string& where) {
+  checkExrHeader(file, where);
   Imf::MultiPartInputFile exr(file.c_str());
+  const auto fileBytes = static_cast<std::int64_t>(std::filesystem::file_size(file));
   Image image;
   for (int part = 0; part < exr.parts(); ++part) {
     const Imf::Header& header = exr.header(part);
     const bool isDeep = header.hasType() && (header.type() == Imf::DEEPSCANLINE || header.type() == Imf::DEEPTILE);
     if (isDeep && part == 0) throw SceneError("this is a deep image", where, "flatten it first");
     if (isDeep) continue;
-    checkSize(header, where, image.channels.size());
+    checkSize(header, where, image.channels.size(), fileBytes);
     const Imath::Box2i window = header.dataWindow();
     const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
     if (part == 0) {

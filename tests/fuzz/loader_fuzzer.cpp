@@ -1,8 +1,5 @@
-/// Feeds random bytes to the loader: whatever comes, it ends with a scene or a SceneError. libFuzzer:
-///   cmake -B build/fuzz -DCMAKE_CXX_COMPILER=clang++ -DIMPORTON_BUILD_BENCHMARKS=OFF \
-///         -DIMPORTON_SANITIZE=fuzzer-no-link,address,undefined
-///   cmake --build build/fuzz --target importon_loader_fuzzer
-///   build/fuzz/tests/fuzz/importon_loader_fuzzer -max_len=8192 CORPUS_FOLDER
+/// Feeds random bytes to the glTF loader: whatever comes, it ends with a scene or a SceneError. For libFuzzer;
+/// scripts/fuzz runs it.
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -3,45 +3,11 @@
 
 #include <random>
 
-#include "loader/image_builder.h"
+#include "loader/everything.h"
 #include "loader/load.h"
 
 namespace importon::test {
 namespace {
-
-/// A small file that uses as much of the format as it can.
-GltfBuilder everything() {
-  GltfBuilder builder = GltfBuilder::emissiveTriangle();
-  Json& attributes = builder.primitive()["attributes"];
-  attributes["NORMAL"] = builder.addPositions({{0, 0, 1}, {0, 0, 1}, {0, 0, 1}});
-  builder.primitive()["attributes"]["TEXCOORD_0"] =
-      builder.addAccessor(std::vector<glm::vec2>{{0, 0}, {1, 0}, {0, 1}}, kFloat, "VEC2");
-  builder.primitive()["indices"] = builder.addIndices({0, 1, 2});
-  builder.primitive()["targets"] =
-      Json::array({{{"POSITION", builder.addPositions({{0, 0, 0}, {0, 0, 0}, {0, 0, 4}})}}});
-  builder.json["meshes"][0]["weights"] = {0.5};
-  const std::uint8_t place = 2;
-  const glm::vec3 value(0, 2, 0);
-  builder.json["accessors"][0]["sparse"] = {
-      {"count", 1},
-      {"indices", {{"bufferView", builder.addView(&place, 1)}, {"componentType", kUnsignedByte}}},
-      {"values", {{"bufferView", builder.addView(&value, sizeof value)}}}};
-  Json& material = builder.json["materials"][0];
-  const int png = builder.addTexture(makePng(4, 4, Bytes(64, 100)), {{"wrapS", 33071}, {"magFilter", 9729}});
-  material["emissiveTexture"] = {
-      {"index", png}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0}}, {"rotation", 1}}}}}};
-  material["normalTexture"] = {{"index", builder.addTexture(makeJpeg(8, 8, Bytes(192, 100)))}};
-  material["extensions"]["KHR_materials_volume"] = {{"thicknessFactor", 1}, {"attenuationDistance", 2}};
-  builder.json["extensions"]["KHR_lights_punctual"]["lights"] =
-      Json::array({{{"type", "spot"}, {"spot", {{"outerConeAngle", 0.5}}}}});
-  builder.addRoot({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}, {"rotation", {0, 0, 0, 1}}});
-  builder.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}}}});
-  builder.addRoot({{"camera", 0}, {"children", {3}}});
-  builder.add("nodes", {{"mesh", 0}, {"scale", {-1, 2, 1}}});
-  builder.json["scenes"][0]["extras"]["environment"] = {{"type", "constant"}, {"radiance", {1, 1, 1}}};
-  builder.json["buffers"] = Json::array({{{"byteLength", builder.binary.size()}}});
-  return builder;
-}
 
 /// Flips, overwrites, removes, repeats or cuts a few bytes.
 Bytes damaged(Bytes bytes, std::mt19937& random) {

@@ -1,0 +1,70 @@
+/// Writes the first inputs of the fuzzers: importon_fuzz_corpus GLTF_FOLDER EXR_FOLDER.
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
+#include <ImfRgbaFile.h>
+#include <ImfTiledOutputFile.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "loader/everything.h"
+
+namespace {
+
+using importon::test::Bytes;
+
+void write(const std::filesystem::path& file, const Bytes& bytes) {
+  std::ofstream(file, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
+/// A tiny image of three channels with this compression.
+void writeExr(const std::filesystem::path& file, Imf::Compression compression, bool isTiled) {
+  constexpr int kWidth = 9, kHeight = 5;
+  Imf::Header header(kWidth, kHeight);
+  header.compression() = compression;
+  std::vector<float> values(kWidth * kHeight, 0.75F);
+  Imf::FrameBuffer frameBuffer;
+  for (const char* name : {"R", "G", "B"}) {
+    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    frameBuffer.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), sizeof(float),
+                                        sizeof(float) * kWidth));
+  }
+  if (isTiled) {
+    header.setTileDescription(Imf::TileDescription(4, 4, Imf::MIPMAP_LEVELS));
+    Imf::TiledOutputFile exr(file.c_str(), header);
+    exr.setFrameBuffer(frameBuffer);
+    exr.writeTiles(0, exr.numXTiles() - 1, 0, exr.numYTiles() - 1);
+  } else {
+    Imf::OutputFile exr(file.c_str(), header);
+    exr.setFrameBuffer(frameBuffer);
+    exr.writePixels(kHeight);
+  }
+}
+
+void writeLuminanceChroma(const std::filesystem::path& file) {
+  constexpr int kSide = 8;
+  const std::vector<Imf::Rgba> pixels(kSide * kSide, Imf::Rgba(0.75F, 0.5F, 0.25F, 1.F));
+  Imf::RgbaOutputFile exr(file.c_str(), kSide, kSide, Imf::WRITE_YC);
+  exr.setFrameBuffer(pixels.data(), 1, kSide);
+  exr.writePixels(kSide);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) return 1;
+  const std::filesystem::path gltf = argv[1], exr = argv[2];
+  write(gltf / "everything.glb", importon::test::everything().glb());
+  write(gltf / "everything.gltf", importon::test::everything().gltf());
+  write(gltf / "triangle.gltf", importon::test::GltfBuilder::emissiveTriangle().gltf());
+  for (int i = 0; i < Imf::NUM_COMPRESSION_METHODS; ++i)
+    for (const bool isTiled : {false, true})
+      writeExr(exr / (std::to_string(i) + (isTiled ? "t.exr" : "s.exr")), static_cast<Imf::Compression>(i), isTiled);
+  writeLuminanceChroma(exr / "yc.exr");
+  return 0;
+}

@@ -1,0 +1,10 @@
+/// A file for tests that damage files.
+#pragma once
+#include "loader/gltf_builder.h"
+
+namespace importon::test {
+
+/// A small file that uses as much of the format as it can.
+[[nodiscard]] GltfBuilder everything();
+
+}  // namespace importon::test
