@@ -85,7 +85,8 @@ void main() {
   if (kHasMedia) path.throughput *= mediumTransmittance(path.medium, s, hit.t);
   const mat3 frame = frameAround(s.shadingNormal);
   const float cosIn = dot(-ray.direction, s.shadingNormal);
-  const Bsdf b = makeBsdf(s, cosIn);
+  Bsdf b = makeBsdf(s, cosIn);
+  b.coat.isAdjoint = true;
   if (hasRoughLobe(b) && !isFrosted(b)) writeRecord(at, s, isGlossy(b), ray.direction, path);
   if (kPhotonKind == kPhotonsGlobal && (path.flags & kPathDepthMask) == 0u) seeLight(path.light, s.position);
   if (kReadsCells && kPhotonKind == kPhotonsGlobal) writeCell(at, s, hit, b, ray.direction, cosIn);

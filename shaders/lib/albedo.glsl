@@ -4,6 +4,22 @@
 #define IMPORTON_LIB_ALBEDO_GLSL
 #include "shared/albedo_table.h"
 
+const float kSmoothAlpha = 1e-3;  // below: reflection and transmission are deltas
+
+/// Mean of Schlick's reflectance over the cosine.
+vec3 meanSchlick(vec3 f0, float f90) { return f0 + (vec3(f90) - f0) * (1.0 / 21.0); }
+
+/// Share of multiply scattered light that comes back: a series of reflections of which each lets `meanAlbedo` out.
+/// [Kulla and Conty 2017]
+vec3 multipleReflectance(vec3 meanFresnel, float meanAlbedo) {
+  return meanFresnel * meanFresnel * meanAlbedo / max(vec3(1.0) - meanFresnel * (1.0 - meanAlbedo), vec3(1e-6));
+}
+
+/// Share of light that a GGX layer of Schlick's reflectance turns back along a direction.
+float layerReflectance(float f0, float f90, float missed, vec2 albedo) {
+  return f0 * (albedo.x - albedo.y) + f90 * albedo.y + missed * (1.0 - albedo.x);
+}
+
 vec2 albedoAt(uint index) { return unpackUnorm2x16(albedoTexel(index)); }
 
 /// Place in a row of `count` entries over the square root of `value` in 0 .. 1: the lower entry and the share of
@@ -64,6 +80,29 @@ vec2 glassMeanAlbedo(float alpha, float eta) {
   const vec2 sides = mix(mix(albedoAt(at), albedoAt(at + 1u), y),
                          mix(albedoAt(at + kGlassAlbedoSide), albedoAt(at + kGlassAlbedoSide + 1u), y), z);
   return eta >= 1.0 ? sides : sides.yx;
+}
+
+/// What a coat that turns light back on the way in or out, whichever is more, takes from light along `cosine` beyond the
+/// way out. x: over a white metal of roughness `alpha`; y: over a white diffuse surface.
+vec2 coatTaken(float cosine, float alpha, float coatAlpha) {
+  uint i, j, k;
+  const float x = tablePlace(cosine, kCoatSide, i), y = tablePlace(alpha, kCoatSide, j);
+  const float z = tablePlace(coatAlpha, kCoatAlphas, k);
+  const uint at = kCoatTaken + (k * kCoatSide + j) * kCoatSide + i, above = at + kCoatSide * kCoatSide;
+  const vec2 low = mix(mix(albedoAt(at), albedoAt(at + 1u), x),
+                       mix(albedoAt(at + kCoatSide), albedoAt(at + kCoatSide + 1u), x), y);
+  const vec2 high = mix(mix(albedoAt(above), albedoAt(above + 1u), x),
+                        mix(albedoAt(above + kCoatSide), albedoAt(above + kCoatSide + 1u), x), y);
+  return mix(low, high, z);
+}
+
+/// The same for light from everywhere.
+vec2 coatMeanTaken(float alpha, float coatAlpha) {
+  uint j, k;
+  const float y = tablePlace(alpha, kCoatSide, j), z = tablePlace(coatAlpha, kCoatAlphas, k);
+  const uint at = kCoatMeans + k * kCoatSide + j;
+  return mix(mix(albedoAt(at), albedoAt(at + 1u), y),
+             mix(albedoAt(at + kCoatSide), albedoAt(at + kCoatSide + 1u), y), z);
 }
 
 #endif

@@ -8,7 +8,7 @@
 /// material; a blended one stops rays with the probability of its alpha, decided by the ray and the triangle.
 bool isCovered(uint triangle, vec2 uvWeights, uint rayId) {
   const uvec4 indices = triangleTexel(triangle);
-  const uint base = 8u * indices.w;
+  const uint base = kMaterialTexels * indices.w;
   const uvec4 m5 = materialTexel(base + 5u);
   if ((m5.z & (kMaterialAlphaMask | kMaterialAlphaBlend)) == 0u) return true;
   float alpha = uintBitsToFloat(materialTexel(base).w);

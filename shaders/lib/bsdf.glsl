@@ -5,11 +5,11 @@
 #ifndef IMPORTON_LIB_BSDF_GLSL
 #define IMPORTON_LIB_BSDF_GLSL
 #include "lib/albedo.glsl"
+#include "lib/coat.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/ggx.glsl"
 #include "lib/surface.glsl"
 
-const float kSmoothAlpha = 1e-3;  // below: reflection and transmission are deltas
 const float kNoRefraction = 1e-3;  // relative index of a solid so near to 1 bends no light
 
 struct Bsdf {
@@ -23,6 +23,8 @@ struct Bsdf {
   float alpha;
   bool isSmooth;
   float clear;        // share of the clear dielectric
+  float clearF90;     // KHR_materials_specular
+  vec3 clearShift;    // see clearFresnel
   vec3 tint;          // of transmitted light
   float eta;          // refractive index behind over index in front, seen from the ray's side
   bool isThin;        // transmission goes straight on
@@ -31,13 +33,7 @@ struct Bsdf {
   vec2 clearMissMean; // the clear dielectric: mean of that share on the ray's side and behind
   float clearMissOut;
   float clearMissBack; // of it, the share that leaves on the ray's side
-  float coat;         // share that is coated
-  float coatAlpha;
-  bool isCoatSmooth;
-  bool isBehindCoat;  // the ray's side is the inner one of a coated solid
-  float coatMissed;
-  float coatMissOut;
-  float coatTurnedOut;  // share of light along wo that the coat turns back
+  Coat coat;
   float pCosine, pInterface, pBelow, pCoat;  // of choosing a lobe; sum 1, or all 0 for a black surface
 };
 
@@ -49,18 +45,12 @@ struct BsdfSample {
   bool isTransmission;
 };
 
-/// Mean of Schlick's reflectance over the cosine.
-vec3 meanSchlick(vec3 f0, float f90) { return f0 + (vec3(f90) - f0) * (1.0 / 21.0); }
-
-/// Share of multiply scattered light that comes back: a series of reflections of which each lets `meanAlbedo` out.
-/// [Kulla and Conty 2017]
-vec3 multipleReflectance(vec3 meanFresnel, float meanAlbedo) {
-  return meanFresnel * meanFresnel * meanAlbedo / max(vec3(1.0) - meanFresnel * (1.0 - meanAlbedo), vec3(1e-6));
-}
-
-/// Reflectance of the clear dielectric.
-float clearFresnel(Bsdf b, float cosine) {
-  const float single = fresnelDielectric(cosine, b.eta);
+/// Reflectance of the clear dielectric: Fresnel's, moved so that its values at normal and at grazing incidence are those
+/// of KHR_materials_specular. Total reflection stays total.
+vec3 clearFresnel(Bsdf b, float cosine) {
+  const float exact = fresnelDielectric(cosine, b.eta);
+  if (exact >= 1.0) return vec3(1.0);
+  const vec3 single = b.clearF90 * exact + b.clearShift * (1.0 - exact);
   return b.isThin ? 2.0 * single / (1.0 + single) : single;  // thin: all inner reflections
 }
 
@@ -75,38 +65,15 @@ vec3 bsdfFresnel(Bsdf b, float cosine) {
 /// cosine.
 float reflectShare(Bsdf b, float cosine) {
   if (!kHasTransmission || b.clear <= 0.0) return 1.0;
-  const float clear = clearFresnel(b, cosine);
-  const float reflected = mean(fresnelSchlick(b.f0, b.f90, cosine)) + b.clear * clear;
-  const float passed = b.clear * (1.0 - clear) * mean(b.tint);
+  const vec3 clear = clearFresnel(b, cosine);
+  const float reflected = mean(fresnelSchlick(b.f0, b.f90, cosine) + b.clear * clear);
+  const float passed = b.clear * mean((1.0 - clear) * b.tint);
   return reflected + passed > 0.0 ? reflected / (reflected + passed) : 1.0;
-}
-
-/// Share of light that a GGX layer of Schlick's reflectance turns back along a direction.
-float layerReflectance(float f0, float f90, float missed, vec2 albedo) {
-  return f0 * (albedo.x - albedo.y) + f90 * albedo.y + missed * (1.0 - albedo.x);
 }
 
 float coverReflectance(Bsdf b, float cosine, vec2 albedo) {
   if (b.isSmooth) return fresnelSchlick(vec3(b.coverF0), b.coverF90, cosine).x;
   return layerReflectance(b.coverF0, b.coverF90, b.coverMissed, albedo);
-}
-
-const float kCoatF0 = 0.04;  // KHR_materials_clearcoat
-
-float coatReflectance(Bsdf b, float cosine) {
-  if (b.isCoatSmooth) return b.coat * fresnelSchlick(vec3(kCoatF0), 1.0, cosine).x;
-  return b.coat * layerReflectance(kCoatF0, 1.0, b.coatMissed, ggxAlbedo(cosine, b.coatAlpha));
-}
-
-void addCoat(inout Bsdf b, Surface s, float cosOut) {
-  b.coat = s.coat;
-  b.coatAlpha = s.coatAlpha;
-  b.isCoatSmooth = s.coatAlpha < kSmoothAlpha;
-  b.isBehindCoat = !b.isThin && !s.isFront;
-  const vec2 mean_ = ggxMeanAlbedo(s.coatAlpha);
-  b.coatMissed = multipleReflectance(meanSchlick(vec3(kCoatF0), 1.0), mean_.x).x;
-  b.coatMissOut = (1.0 - ggxAlbedo(cosOut, s.coatAlpha).x) / max(1.0 - mean_.x, 1e-6);
-  b.coatTurnedOut = b.isBehindCoat ? 0.0 : coatReflectance(b, cosOut);
 }
 
 /// Light that the microfacets scatter more than once, for rough surfaces. What is missed along wo leaves by the cosine
@@ -129,6 +96,7 @@ void addMissed(inout Bsdf b, vec3 metalF0, float metal, vec3 dielectricF0, float
     const float behind = b.eta * b.eta * b.clearMissMean.y;
     b.clearMissBack = b.clearMissMean.x / max(b.clearMissMean.x + behind, 1e-9);
   }
+  b.clearMissOut *= b.clearF90;  // what passes without reflection is masked less: this much is missed at least
 }
 
 /// Probabilities of the lobes, by the light that each scatters.
@@ -141,18 +109,19 @@ void chooseLobes(inout Bsdf b, float cosOut, vec2 albedoOut) {
   }
   if (kHasTransmission && b.clear > 0.0) {
     const float passed = b.clear * mean(b.tint);
-    b.pInterface += passed * (1.0 - clearFresnel(b, cosOut));
+    b.pInterface += b.clear * mean(b.tint * (1.0 - clearFresnel(b, cosOut)));
     if (!b.isSmooth) {
       b.pCosine += b.clear * b.clearMissOut * b.clearMissBack;
       b.pBelow = passed * b.clearMissOut * (1.0 - b.clearMissBack);
     }
   }
   if (kHasClearcoat) {
-    const float passed = 1.0 - b.coatTurnedOut;
+    const float passed = 1.0 - b.coat.turnedOut;
     b.pCosine *= passed;
     b.pInterface *= passed;
     b.pBelow *= passed;
-    b.pCoat = b.coatTurnedOut;
+    b.pCoat = b.coat.turnedOut;
+    if (b.coat.share > 0.0) b.pCosine += mean(b.coat.keptMetal * b.coat.takenMean.x + b.coat.keptBase * b.coat.takenMean.y);
   }
   const float sum = b.pCosine + b.pInterface + b.pBelow + b.pCoat;
   const float scale = sum > 0.0 ? 1.0 / sum : 0.0;
@@ -169,14 +138,18 @@ Bsdf makeBsdf(Surface s, float cosOut) {
   const float opaque = 1.0 - metal - b.clear;
   b.diffuse = s.baseColor * opaque;
   b.isSmooth = true;
-  b.coat = 0.0;
+  b.coat = noCoat();
   b.pInterface = b.pBelow = b.pCoat = 0.0;
   b.pCosine = mean(b.diffuse) > 0.0 ? 1.0 : 0.0;
   if (!kHasReflection) return b;
-  b.coverF0 = min(maxComponent(s.f0), 1.0);
-  b.coverF90 = s.f90;
-  b.f0 = metal * s.baseColor + opaque * s.f0;
-  b.f90 = metal + opaque * s.f90;
+  const float ratio = (s.ior - 1.0) / (s.ior + 1.0), exactF0 = ratio * ratio;
+  const vec3 f0 = min(exactF0 * s.specularColor, vec3(1.0)) * s.specular;
+  b.coverF0 = maxComponent(f0);
+  b.coverF90 = s.specular;
+  b.f0 = metal * s.baseColor + opaque * f0;
+  b.f90 = metal + opaque * s.specular;
+  b.clearF90 = s.specular;
+  b.clearShift = (f0 - s.specular * exactF0) / max(1.0 - exactF0, 1e-6);
   b.tint = s.baseColor;
   b.isThin = (s.flags & kMaterialSolid) == 0u;
   b.eta = s.isFront || b.isThin ? s.ior : 1.0 / s.ior;
@@ -188,34 +161,33 @@ Bsdf makeBsdf(Surface s, float cosOut) {
   float coverMean = meanSchlick(vec3(b.coverF0), b.coverF90).x;
   if (!b.isSmooth) {
     albedoOut = ggxAlbedo(cosOut, b.alpha);
-    addMissed(b, s.baseColor, metal, s.f0, opaque, albedoOut, cosOut);
+    addMissed(b, s.baseColor, metal, f0, opaque, albedoOut, cosOut);
     const vec2 albedo = ggxMeanAlbedo(b.alpha);
     b.coverMissed = multipleReflectance(vec3(coverMean), albedo.x).x;
     coverMean = layerReflectance(b.coverF0, b.coverF90, b.coverMissed, albedo);
   }
   b.coverPassed = (1.0 - coverReflectance(b, cosOut, albedoOut)) / max(1.0 - coverMean, 1e-3);
-  if (kHasClearcoat && s.coat > 0.0) addCoat(b, s, cosOut);
-  else b.coatTurnedOut = 0.0;
+  if (kHasClearcoat && s.coat > 0.0) b.coat = makeCoat(s, !b.isThin && !s.isFront, b.diffuse, metal * s.baseColor);
   chooseLobes(b, cosOut, albedoOut);
   return b;
 }
 
-bool hasSmoothLobe(Bsdf b) { return (b.isSmooth && b.pInterface > 0.0) || (b.isCoatSmooth && b.pCoat > 0.0); }
+bool hasSmoothLobe(Bsdf b) { return (b.isSmooth && b.pInterface > 0.0) || (b.coat.isSmooth && b.pCoat > 0.0); }
 /// True for a surface that transmits and is rough. Light comes to it from both sides, which a map of photons on one
 /// side cannot show, so for the maps it is specular: photons pass it as they pass clear glass.
 bool isFrosted(Bsdf b) { return kHasTransmission && !b.isSmooth && b.clear > 0.0; }
 /// True where the direction of light matters beyond its cosine.
 bool isGlossy(Bsdf b) {
-  const bool isCoatGlossy = kHasClearcoat && b.pCoat > 0.0 && !b.isCoatSmooth && b.coatAlpha < 0.3;
+  const bool isCoatGlossy = kHasClearcoat && b.pCoat > 0.0 && !b.coat.isSmooth && b.coat.alpha < 0.3;
   return isCoatGlossy || (kHasReflection && !b.isSmooth && (b.alpha < 0.3 || maxComponent(b.f0) > 0.2));
 }
 bool hasRoughLobe(Bsdf b) {
   if (b.pCosine > 0.0 || (!b.isSmooth && b.pInterface > 0.0)) return true;
-  return kHasClearcoat && b.pCoat > 0.0 && !b.isCoatSmooth;
+  return kHasClearcoat && b.pCoat > 0.0 && !b.coat.isSmooth;
 }
 
 /// True if some light is scattered by Lambert's law, under at most an interface.
-bool hasDiffuse(Bsdf b) { return maxComponent(b.diffuse) > 0.0 && !(kHasClearcoat && b.coat > 0.0); }
+bool hasDiffuse(Bsdf b) { return maxComponent(b.diffuse) > 0.0 && !(kHasClearcoat && b.coat.share > 0.0); }
 
 /// The diffuse base in two factors: towards wo, and from wi on the same side.
 vec3 diffuseTowards(Bsdf b) { return kHasReflection ? b.diffuse * max(b.coverPassed, 0.0) : b.diffuse; }
@@ -277,7 +249,7 @@ vec3 evalTransmission(Bsdf b, vec3 wo, vec3 wi, out float pdf) {
     const float d = ggxDistribution(h, b.alpha);
     const float cosH = max(dot(wo, h), 0.0);
     pdf = ggxMasking(wo, b.alpha) * d * (1.0 - reflectShare(b, cosH)) / (4.0 * wo.z);
-    const float passed = b.clear * (1.0 - clearFresnel(b, cosH));
+    const vec3 passed = b.clear * (1.0 - clearFresnel(b, cosH));
     return b.tint * (passed * d * ggxMaskingShadowing(wo, mirrored, b.alpha) / (4.0 * wo.z));
   }
   vec3 h = normalize(-(wo + b.eta * wi));
@@ -288,28 +260,8 @@ vec3 evalTransmission(Bsdf b, vec3 wo, vec3 wi, out float pdf) {
   const float jacobian = b.eta * b.eta * abs(cosIn) / max(root * root, 1e-30);
   const float d = ggxDistribution(h, b.alpha);
   pdf = pdfVisibleNormal(wo, h, b.alpha) * jacobian * (1.0 - reflectShare(b, cosOut));
-  const float passed = b.clear * (1.0 - fresnelDielectric(cosOut, b.eta));
+  const vec3 passed = b.clear * (1.0 - clearFresnel(b, cosOut));
   return b.tint * (passed * d * ggxMaskingShadowing(wo, vec3(wi.xy, -wi.z), b.alpha) * cosOut * jacobian / wo.z);
-}
-
-/// Reflection of a rough coat, times cosine: once, and more than once.
-vec3 evalCoat(Bsdf b, vec3 wo, vec3 wi, out float pdf) {
-  const vec3 h = normalize(wo + wi);
-  const float d = ggxDistribution(h, b.coatAlpha);
-  pdf = ggxMasking(wo, b.coatAlpha) * d / (4.0 * wo.z);
-  const float single = fresnelSchlick(vec3(kCoatF0), 1.0, max(dot(wo, h), 0.0)).x *
-                       (d * ggxMaskingShadowing(wo, wi, b.coatAlpha) / (4.0 * wo.z));
-  const float multiple = b.coatMissed * b.coatMissOut * (1.0 - ggxAlbedo(wi.z, b.coatAlpha).x) * (wi.z / kPi);
-  return vec3(b.coat * (single + multiple));
-}
-
-/// Share of light between wo and wi that passes the coat, in either direction: what the coat turns back on the way in
-/// or out, whichever is more, so that the layers together are reciprocal and never gain energy.
-float coatPassed(Bsdf b, vec3 wi) {
-  if (!kHasClearcoat || b.coat <= 0.0) return 1.0;
-  if (b.isBehindCoat) return wi.z < 0.0 ? 1.0 - coatReflectance(b, -wi.z) : 1.0;
-  if (wi.z < 0.0 && !b.isThin) return 1.0 - b.coatTurnedOut;
-  return 1.0 - max(b.coatTurnedOut, coatReflectance(b, abs(wi.z)));
 }
 
 /// BSDF times |cosine| of all non-delta lobes, and the density with which sampleBsdf draws wi among them all.
@@ -329,10 +281,11 @@ vec3 evalBsdf(Bsdf b, vec3 wo, vec3 wi, out float pdf) {
     f += isBelow ? evalTransmission(b, wo, wi, lobePdf) : evalReflection(b, wo, wi, lobePdf);
     pdf += b.pInterface * lobePdf;
   }
-  if (kHasClearcoat && b.coat > 0.0) {
-    f *= coatPassed(b, wi);
-    if (wi.z > 0.0 && !b.isCoatSmooth && b.pCoat > 0.0) {
-      f += evalCoat(b, wo, wi, lobePdf);
+  if (kHasClearcoat && b.coat.share > 0.0) {
+    f *= coatPassed(b.coat, wi, b.isThin);
+    if (!isBelow) f += evalCoatKept(b.coat, wi);
+    if (!isBelow && !b.coat.isSmooth && b.pCoat > 0.0) {
+      f += evalCoat(b.coat, wo, wi, lobePdf);
       pdf += b.pCoat * lobePdf;
     }
   }
@@ -351,17 +304,20 @@ bool refractLocal(vec3 wo, vec3 h, float eta, out vec3 wi) {
 
 /// Weight of a delta lobe, chosen with `probability`.
 vec3 deltaWeight(Bsdf b, vec3 wo, vec3 wi, bool isCoat, float probability) {
-  if (kHasClearcoat && isCoat) return vec3(b.coatTurnedOut / probability);
+  if (kHasClearcoat && isCoat) return vec3(b.coat.turnedOut * coatAdjoint(b.coat, b.coat.cosOut, wo, wi) / probability);
   const vec3 f = wi.z > 0.0 ? bsdfFresnel(b, wo.z) : b.tint * (b.clear * (1.0 - clearFresnel(b, wo.z)));
-  return f * (coatPassed(b, wi) / max(probability, 1e-30));
+  const float passed = kHasClearcoat && b.coat.share > 0.0 ? coatPassed(b.coat, wi, b.isThin) : 1.0;
+  return f * (passed / max(probability, 1e-30));
 }
 
 /// Draws a direction from the interface, or the coat, whichever `uLobe` falls on. The microfacet is drawn first, then
 /// whether it reflects. False: nowhere.
 bool sampleInterface(Bsdf b, vec3 wo, float uLobe, vec2 u, inout BsdfSample s) {
   const bool isCoat = kHasClearcoat && b.pCoat > 0.0 && uLobe >= b.pCosine + b.pInterface;
-  s.isDelta = isCoat ? b.isCoatSmooth : b.isSmooth;
-  const vec3 h = s.isDelta ? vec3(0.0, 0.0, 1.0) : sampleVisibleNormal(wo, isCoat ? b.coatAlpha : b.alpha, u);
+  s.isDelta = isCoat ? b.coat.isSmooth : b.isSmooth;
+  vec3 h = vec3(0.0, 0.0, 1.0);
+  if (isCoat) h = sampleCoatNormal(b.coat, wo, u);
+  else if (!s.isDelta) h = sampleVisibleNormal(wo, b.alpha, u);
   const float cosH = dot(wo, h), share = isCoat ? 1.0 : reflectShare(b, cosH);
   s.isTransmission = kHasTransmission && uLobe - b.pCosine >= share * b.pInterface && share < 1.0;
   s.wi = 2.0 * cosH * h - wo;

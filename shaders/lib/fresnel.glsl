@@ -13,11 +13,14 @@ float fresnelDielectric(float cosIncident, float eta) {
   return 0.5 * (parallel * parallel + perpendicular * perpendicular);
 }
 
+float pow5(float x) {
+  const float x2 = x * x;
+  return x2 * x2 * x;
+}
+
 /// [Schlick 1994], with the reflectance at grazing incidence of KHR_materials_specular.
 vec3 fresnelSchlick(vec3 f0, float f90, float cosIncident) {
-  const float m = clamp(1.0 - cosIncident, 0.0, 1.0);
-  const float m2 = m * m;
-  return f0 + (vec3(f90) - f0) * (m2 * m2 * m);
+  return f0 + (vec3(f90) - f0) * pow5(clamp(1.0 - cosIncident, 0.0, 1.0));
 }
 
 #endif

@@ -148,9 +148,9 @@ TrianglePoint lightTrianglePoint(uint triangle, vec2 u) {
   p.error = hit.error;
   p.normal = triangleNormal(p0, p1, p2);
   p.area = 0.5 * length(cross(p1 - p0, p2 - p0));
-  p.radiance = uintBitsToFloat(materialTexel(8u * indices.w + 1u)).rgb;
+  p.radiance = uintBitsToFloat(materialTexel(kMaterialTexels * indices.w + 1u)).rgb;
   if (kHasTextures) {
-    const uint texture = materialTexel(8u * indices.w + 6u).z;
+    const uint texture = materialTexel(kMaterialTexels * indices.w + 6u).z;
     if (texture != kNone) {
       vec2 uv0, uv1;
       interpolateUv(indices.xyz, vec3(1.0 - w.x - w.y, w), uv0, uv1);

@@ -7,14 +7,14 @@
 /// Beer's law over a segment of length t in the path's medium. A path that does not know its medium (it started
 /// inside a solid) learns it from the back face that it meets.
 vec3 mediumTransmittance(uint medium, Surface s, float t) {
-  if (medium != kNone) return exp(-uintBitsToFloat(materialTexel(8u * medium + 3u)).rgb * t);
+  if (medium != kNone) return exp(-uintBitsToFloat(materialTexel(kMaterialTexels * medium + 3u)).rgb * t);
   return !s.isFront && (s.flags & kMaterialSolid) != 0u && s.transmission > 0.0 ? exp(-s.absorption * t) : vec3(1.0);
 }
 
 bool isSolidInterface(Surface s) { return (s.flags & kMaterialSolid) != 0u && s.transmission > 0.0; }
 
 /// Index of refraction of the inside of a material's solid; kNone: air.
-float mediumIndex(uint medium) { return medium == kNone ? 1.0 : uintBitsToFloat(materialTexel(8u * medium + 4u).x); }
+float mediumIndex(uint medium) { return medium == kNone ? 1.0 : uintBitsToFloat(materialTexel(kMaterialTexels * medium + 4u).x); }
 
 // Nested dielectrics: where solids overlap, the one that the path entered last is there. So a liquid that reaches a
 // little into its glass, a glass ball in water and a bubble as a solid of air all come out right.

@@ -23,10 +23,12 @@ struct Surface {
   float alpha;           // GGX roughness: glTF roughness squared
   float transmission;
   float ior;
-  vec3 f0;               // reflectance of the dielectric interface at normal incidence
-  float f90;             // and at grazing incidence
+  vec3 specularColor;    // KHR_materials_specular: of the dielectric interface at normal incidence
+  float specular;        // and its strength
   float coat;            // KHR_materials_clearcoat
   float coatAlpha;
+  vec3 coatNormal;       // as shadingNormal
+  float coatCosOut;      // cosine between the ray, backwards, and coatNormal
   vec3 emission;         // W/(m² sr)
   vec3 absorption;       // 1/m, of the solid behind the surface
 };
@@ -108,7 +110,7 @@ Surface loadSurface(uint triangle, vec2 uvWeights, vec3 direction) {
   }
 
   s.material = indices.w;
-  const uint base = 8u * indices.w;
+  const uint base = kMaterialTexels * indices.w;
   const vec4 m0 = uintBitsToFloat(materialTexel(base)), m1 = uintBitsToFloat(materialTexel(base + 1u));
   const vec4 m2 = uintBitsToFloat(materialTexel(base + 2u)), m3 = uintBitsToFloat(materialTexel(base + 3u));
   const vec4 m4 = uintBitsToFloat(materialTexel(base + 4u));
@@ -125,6 +127,7 @@ Surface loadSurface(uint triangle, vec2 uvWeights, vec3 direction) {
   vec3 specularColor = m2.rgb;
   s.coat = uintBitsToFloat(m5.x);
   float coatRoughness = uintBitsToFloat(m5.y);
+  vec3 coatNormal = normal;
   if (kHasTextures || kHasVertexColors) {
     const uvec4 m6 = materialTexel(base + 6u), m7 = materialTexel(base + 7u);
     vec2 uv0, uv1;
@@ -146,16 +149,22 @@ Surface loadSurface(uint triangle, vec2 uvWeights, vec3 direction) {
         coatRoughness *= texturedOr1(m7.w, uv0, uv1).g;
       }
     }
+    if (kHasNormalMaps && kHasClearcoat) {
+      const uvec4 m8 = materialTexel(base + 8u);
+      coatNormal = mappedNormal(m8.x, uintBitsToFloat(m8.y), normal, tangent, uv0, uv1);
+    }
     if (kHasNormalMaps) normal = mappedNormal(m6.y, m4.z, normal, tangent, uv0, uv1);
   }
   s.alpha = roughness * roughness;
   s.coatAlpha = coatRoughness * coatRoughness;
   s.shadingNormal = keepOnRaySide(s.isFront ? normal : -normal, s.geometricNormal, direction);
+  if (kHasClearcoat) {
+    s.coatNormal = keepOnRaySide(s.isFront ? coatNormal : -coatNormal, s.geometricNormal, direction);
+    s.coatCosOut = -dot(s.coatNormal, direction);
+  }
   s.canEmit = (s.flags & kMaterialEmissive) != 0u && (s.isFront || (s.flags & kMaterialDoubleSided) != 0u);
-  const float r = (s.ior - 1.0) / (s.ior + 1.0);
-  const vec3 dielectricF0 = min(r * r * specularColor, vec3(1.0)) * specular;
-  s.f0 = dielectricF0;
-  s.f90 = specular;
+  s.specularColor = specularColor;
+  s.specular = specular;
   return s;
 }
 

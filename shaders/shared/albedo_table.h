@@ -16,7 +16,12 @@ SHARED_CONST uint kGlassAlbedoIndices = 16u;
 SHARED_CONST float kGlassAlbedoLargest = 0.6f;  // (n - 1) / (n + 1) of the last index
 SHARED_CONST uint kGlassAlbedo = kAlbedoMeans + kAlbedoSide;
 SHARED_CONST uint kGlassAlbedoMeans = kGlassAlbedo + kGlassAlbedoIndices * kGlassAlbedoSide * kGlassAlbedoSide;
-SHARED_CONST uint kAlbedoTexels = kGlassAlbedoMeans + kGlassAlbedoIndices * kGlassAlbedoSide;
+// What clear coats take too much of: for each roughness of the coat rows of cosines for each one of the base; means.
+SHARED_CONST uint kCoatSide = 16u;
+SHARED_CONST uint kCoatAlphas = 8u;
+SHARED_CONST uint kCoatTaken = kGlassAlbedoMeans + kGlassAlbedoIndices * kGlassAlbedoSide;
+SHARED_CONST uint kCoatMeans = kCoatTaken + kCoatAlphas * kCoatSide * kCoatSide;
+SHARED_CONST uint kAlbedoTexels = kCoatMeans + kCoatAlphas * kCoatSide;
 
 SHARED_END
 #endif

@@ -60,7 +60,12 @@ struct Material {
   uint specularColorTexture;      // rgb, sRGB
   uint clearcoatTexture;          // r
   uint clearcoatRoughnessTexture; // g
+  uint clearcoatNormalTexture;
+  float clearcoatNormalScale;
+  uint unused0;                   // up to whole texels of 16 bytes
+  uint unused1;
 };
+SHARED_CONST uint kMaterialTexels = 9u;
 
 // Texture::wrapS, wrapT
 SHARED_CONST uint kWrapRepeat = 0u;

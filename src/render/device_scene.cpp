@@ -143,7 +143,7 @@ std::vector<LightAlias> makeAliasTable(const std::vector<double>& weights) {
 }
 
 DeviceScene uploadScene(gpu::Context& context, const Scene& scene, const Bvh& bvh) {
-  static_assert(sizeof(Material) == 128 && sizeof(Triangle) == 16, "read as whole texels");
+  static_assert(sizeof(Material) == kMaterialTexels * 16 && sizeof(Triangle) == 16, "read as whole texels");
   std::vector<double> powers;
   for (const Light& light : scene.lights) powers.push_back(light.power);
   DeviceScene d;

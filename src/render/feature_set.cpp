@@ -34,7 +34,7 @@ bool mayBeSmooth(const Scene& scene, const Material& m) {
 bool usesTextures(const Material& m) {
   const uint slots[] = {m.baseColorTexture,    m.metallicRoughnessTexture, m.normalTexture, m.emissiveTexture,
                         m.transmissionTexture, m.specularTexture,          m.specularColorTexture,
-                        m.clearcoatTexture,    m.clearcoatRoughnessTexture};
+                        m.clearcoatTexture,    m.clearcoatRoughnessTexture, m.clearcoatNormalTexture};
   return std::any_of(std::begin(slots), std::end(slots), [](uint slot) { return slot != kNone; });
 }
 
@@ -57,7 +57,7 @@ FeatureSet findFeatures(const Scene& scene, const RenderJob& job) {
   for (const Material& m : scene.materials) {
     f.hasAlpha = f.hasAlpha || (m.flags & (kMaterialAlphaMask | kMaterialAlphaBlend)) != 0;
     f.hasTextures = f.hasTextures || usesTextures(m);
-    f.hasNormalMaps = f.hasNormalMaps || m.normalTexture != kNone;
+    f.hasNormalMaps = f.hasNormalMaps || m.normalTexture != kNone || m.clearcoatNormalTexture != kNone;
     f.hasReflection = f.hasReflection || reflects(m);
     f.hasTransmission = f.hasTransmission || m.transmission > 0;
     f.hasMedia = f.hasMedia || ((m.flags & kMaterialSolid) != 0 && m.transmission > 0 &&

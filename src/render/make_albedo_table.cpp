@@ -99,6 +99,50 @@ double meanOfRow(const std::vector<double>& row) {
   return sum;
 }
 
+/// Reflectance of a clear coat, as coatReflectance of lib/coat.glsl, with the rows and means of the first table.
+class CoatReflectance {
+ public:
+  CoatReflectance(const std::vector<Pair>& rows, const std::vector<Pair>& means, double alpha) {
+    const double place = std::sqrt(alpha) * (kAlbedoSide - 1.0);
+    const auto row = std::min(static_cast<std::size_t>(place), std::size_t{kAlbedoSide - 2});
+    const double share = place - static_cast<double>(row);
+    for (std::size_t i = 0; i < kAlbedoSide; ++i) row_.push_back(between(rows[row * kAlbedoSide + i], rows[(row + 1) * kAlbedoSide + i], share));
+    const double mean = between(means[row], means[row + 1], share)[0], fresnel = kF0 + (1 - kF0) / 21;
+    missed_ = fresnel * fresnel * mean / (1 - fresnel * (1 - mean));
+  }
+  double operator()(double cosine) const {
+    const double place = std::sqrt(std::clamp(cosine, 0.0, 1.0)) * (kAlbedoSide - 1.0);
+    const auto i = std::min(static_cast<std::size_t>(place), std::size_t{kAlbedoSide - 2});
+    const Pair albedo = between(row_[i], row_[i + 1], place - static_cast<double>(i));
+    return kF0 * (albedo[0] - albedo[1]) + albedo[1] + missed_ * (1 - albedo[0]);
+  }
+
+ private:
+  static constexpr double kF0 = 0.04;
+  static Pair between(const Pair& a, const Pair& b, double share) {
+    return {a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share};
+  }
+  std::vector<Pair> row_;
+  double missed_ = 0;
+};
+
+/// What a coat takes too much of: see coatTaken in lib/albedo.glsl. Light that the base's microfacets scatter more than
+/// once is diffuse.
+Pair coatTaken(double cosine, double alpha, const CoatReflectance& reflectance) {
+  constexpr int kSide = 40, kSteps = 200;
+  const dvec3 wo = directionAt(cosine);
+  const double out = 1 + lambda(wo, alpha), turnedOut = reflectance(cosine);
+  const Pair metal = meanOverNormals(wo, alpha, kSide, [&](const dvec3& h) {
+    const dvec3 wi = 2 * glm::dot(wo, h) * h - wo;
+    const double weight = wi.z > 0 ? out / (out + lambda(wi, alpha)) : 0;
+    return Pair{weight, weight * std::max(reflectance(wi.z) - turnedOut, 0.0)};
+  });
+  double diffuse = 0;
+  for (int k = 0; k < kSteps; ++k)
+    diffuse += std::max(reflectance(std::sqrt((k + 0.5) / kSteps)) - turnedOut, 0.0) / kSteps;
+  return {metal[1] + (1 - metal[0]) * diffuse, diffuse};
+}
+
 void write(const Pair& texel) {
   const auto bits = [](double share) { return static_cast<unsigned>(std::lround(quantised(share) * 65535)); };
   std::printf("%uu,\n", bits(texel[0]) | bits(texel[1]) << 16);
@@ -123,6 +167,7 @@ void writeAll() {
   std::vector<Pair> texels, means;
   tabulate(kAlbedoSide, reflectionAlbedo, texels, means);
   for (const auto* list : {&texels, &means}) std::for_each(list->begin(), list->end(), write);
+  const std::vector<Pair> reflection = texels, reflectionMeans = means;
   texels.clear();
   means.clear();
   for (unsigned k = 0; k < kGlassAlbedoIndices; ++k) {
@@ -134,6 +179,14 @@ void writeAll() {
           return Pair{glassAlbedo(cosine, alpha, n), glassAlbedo(cosine, alpha, 1 / n)};
         },
         texels, means);
+  }
+  for (const auto* list : {&texels, &means}) std::for_each(list->begin(), list->end(), write);
+  texels.clear();
+  means.clear();
+  for (unsigned k = 0; k < kCoatAlphas; ++k) {
+    const CoatReflectance coat(reflection, reflectionMeans, std::pow(k / (kCoatAlphas - 1.0), 2));
+    tabulate(
+        kCoatSide, [&](double cosine, double alpha) { return coatTaken(cosine, alpha, coat); }, texels, means);
   }
   for (const auto* list : {&texels, &means}) std::for_each(list->begin(), list->end(), write);
 }

@@ -51,7 +51,8 @@ void completeAttributes(MeshLibrary& library, const MaterialSet& set, const std:
                fmt::format("{}: a mesh lacks the texture coordinates that its material reads; (0, 0) stands in",
                            name));
     }
-    const uint normalTexture = material.normalTexture;
+    const uint normalTexture =
+        material.normalTexture != kNone ? material.normalTexture : material.clearcoatNormalTexture;
     if (part.tangents.empty() && normalTexture != kNone) computeTangents(part, set.textures[normalTexture]);
   }
 }

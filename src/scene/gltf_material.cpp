@@ -110,7 +110,9 @@ class MaterialReader {
     const std::string place = "/extensions/KHR_materials_clearcoat";
     material_.clearcoat = floatOr(clearcoat, "clearcoatFactor", 0.0f);
     material_.clearcoatRoughness = floatOr(clearcoat, "clearcoatRoughnessFactor", 0.0f);
+    material_.clearcoatNormalScale = floatOr(member(clearcoat, "clearcoatNormalTexture"), "scale", 1.0f);
     if (material_.clearcoat == 0) return;
+    material_.clearcoatNormalTexture = texture(clearcoat, place, "clearcoatNormalTexture", ColorMeaning::linear);
     material_.clearcoatTexture = texture(clearcoat, place, "clearcoatTexture", ColorMeaning::linear);
     material_.clearcoatRoughnessTexture =
         texture(clearcoat, place, "clearcoatRoughnessTexture", ColorMeaning::linear);
@@ -140,11 +142,13 @@ Material defaultMaterial() {
   material.ior = 1.5f;
   material.specular = 1.0f;
   material.normalScale = 1.0f;
+  material.clearcoatNormalScale = 1.0f;
   material.alphaCutoff = 0.5f;
   for (uint* texture :
        {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
         &material.emissiveTexture, &material.transmissionTexture, &material.specularTexture,
-        &material.specularColorTexture, &material.clearcoatTexture, &material.clearcoatRoughnessTexture}) {
+        &material.specularColorTexture, &material.clearcoatTexture, &material.clearcoatRoughnessTexture,
+        &material.clearcoatNormalTexture}) {
     *texture = kNone;
   }
   return material;
@@ -155,7 +159,8 @@ unsigned uvSetsOf(const Material& material, const std::vector<Texture>& textures
   for (const uint texture :
        {material.baseColorTexture, material.metallicRoughnessTexture, material.normalTexture,
         material.emissiveTexture, material.transmissionTexture, material.specularTexture,
-        material.specularColorTexture, material.clearcoatTexture, material.clearcoatRoughnessTexture}) {
+        material.specularColorTexture, material.clearcoatTexture, material.clearcoatRoughnessTexture,
+        material.clearcoatNormalTexture}) {
     if (texture != kNone) sets |= 1u << textures[texture].uvSet;
   }
   return sets;
@@ -170,10 +175,6 @@ MaterialSet readMaterials(const GltfDocument& document, const std::vector<bool>&
     if (!isUsed[i]) continue;
     set.materialOfFile[i] = static_cast<uint>(set.materials.size());
     MaterialReader reader(element(materials, i), fmt::format("/materials/{}", i), textures);
-    if (member(element(materials, i), "extensions", "KHR_materials_clearcoat").contains("clearcoatNormalTexture")) {
-      log.warn("clear coat normal map", fmt::format("{}: passed over: a coat has the normals of what it covers",
-                                                    document.source.at(fmt::format("/materials/{}", i))));
-    }
     set.materials.push_back(reader.read(document.source));
     set.names.push_back(stringOr(element(materials, i), "name", ""));
   }

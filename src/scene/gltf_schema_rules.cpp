@@ -146,6 +146,7 @@ void addMaterialExtensions(std::vector<SchemaRule>& rules) {
   Rules clearcoat(rules, "materials/*/extensions/KHR_materials_clearcoat");
   clearcoat.range("clearcoatFactor", 0, 1).texture("clearcoatTexture");
   clearcoat.range("clearcoatRoughnessFactor", 0, 1).texture("clearcoatRoughnessTexture");
+  clearcoat.texture("clearcoatNormalTexture").optional("clearcoatNormalTexture/scale", number);
 }
 
 void addCamerasAndLights(std::vector<SchemaRule>& rules) {

@@ -29,6 +29,9 @@ struct Query {
   float uLobe;
   float coat;
   float coatAlpha;
+  vec3 coatNormal;
+  uint isAdjoint;
+  vec3 specularColor;
 };
 struct Answer {
   vec3 value;  // BSDF · |cosine| of (wo, wi)
@@ -53,11 +56,13 @@ Surface surfaceOf(Query q) {
   s.ior = q.ior;
   s.isFront = q.isFront != 0u;
   s.flags = q.isSolid != 0u ? kMaterialSolid : 0u;
-  const float r = (q.ior - 1.0) / (q.ior + 1.0);
-  s.f0 = vec3(r * r * q.specular);
-  s.f90 = q.specular;
+  s.specularColor = q.specularColor;
+  s.specular = q.specular;
+  s.shadingNormal = vec3(0.0, 0.0, 1.0);
   s.coat = q.coat;
   s.coatAlpha = q.coatAlpha;
+  s.coatNormal = q.coatNormal;
+  s.coatCosOut = dot(q.wo, q.coatNormal);
   return s;
 }
 
@@ -65,7 +70,8 @@ void main() {
   const uint i = invocationIndex();
   if (i >= count) return;
   const Query q = items[i];
-  const Bsdf b = makeBsdf(surfaceOf(q), q.wo.z);
+  Bsdf b = makeBsdf(surfaceOf(q), q.wo.z);
+  b.coat.isAdjoint = q.isAdjoint != 0u;
   Answer a;
   a.value = evalBsdf(b, q.wo, q.wi, a.pdf);
   const BsdfSample s = sampleBsdf(b, q.wo, q.uLobe, q.u);

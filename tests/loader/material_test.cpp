@@ -37,13 +37,19 @@ TEST(Material, DefaultsAreThoseOfGltf) {
   }
 }
 
-TEST(Material, WarnsOfNormalMapsOfCoats) {
+TEST(Material, ReadsTheNormalMapOfACoat) {
   GltfBuilder builder = GltfBuilder::emissiveTriangle();
-  builder.json["materials"][0]["extensions"]["KHR_materials_clearcoat"] = {{"clearcoatFactor", 1},
-                                                                           {"clearcoatNormalTexture", {{"index", 0}}}};
-  const std::vector<Warning> warnings = warningsOf(builder);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].message.find("/materials/0"), std::string::npos) << warnings[0].message;
+  const int texture = builder.addTexture(makePng(1, 1, Bytes(4, 128)));
+  builder.primitive()["attributes"]["TEXCOORD_0"] =
+      builder.addAccessor(std::vector<glm::vec2>{{0, 0}, {1, 0}, {0, 1}}, kFloat, "VEC2");
+  builder.json["materials"][0]["extensions"]["KHR_materials_clearcoat"] = {
+      {"clearcoatFactor", 1}, {"clearcoatNormalTexture", {{"index", texture}, {"scale", 0.5}}}};
+  const Scene scene = load(builder);
+  const Material& material = scene.materials[0];
+  EXPECT_NE(material.clearcoatNormalTexture, kNone);
+  EXPECT_EQ(material.clearcoatNormalScale, 0.5f);
+  EXPECT_EQ(material.normalTexture, kNone);
+  EXPECT_NE(scene.vertices[0].tangent, kNone);  // computed, as for other normal maps
 }
 
 TEST(Material, ReadsMetallicRoughness) {

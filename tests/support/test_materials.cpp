@@ -16,7 +16,8 @@ Material plain(const vec3& baseColor) {
   for (uint* texture :
        {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
         &material.emissiveTexture, &material.transmissionTexture, &material.specularTexture,
-        &material.specularColorTexture, &material.clearcoatTexture, &material.clearcoatRoughnessTexture}) {
+        &material.specularColorTexture, &material.clearcoatTexture, &material.clearcoatRoughnessTexture,
+        &material.clearcoatNormalTexture}) {
     *texture = kNone;
   }
   return material;
