@@ -6,7 +6,9 @@
 #include <ImfPartType.h>
 #include <ImfRgbaFile.h>
 #include <ImfStringAttribute.h>
+#include <ImfTileDescription.h>
 
+#include <algorithm>
 #include <exception>
 #include <system_error>
 
@@ -58,6 +60,11 @@ void checkSize(const Imf::Header& header, const std::string& where, std::size_t 
   if (width * height / mostValuesPerByte(header.compression()) > fileBytes)
     throw SceneError(fmt::format("a file of {} bytes cannot hold {} x {} pixels", fileBytes, width, height), where,
                      "check that the file is whole");
+  if (!header.hasTileDescription()) return;
+  constexpr std::int64_t kSmallTile = 1 << 22;  // pixels; whatever the image
+  const std::int64_t tile = std::int64_t{header.tileDescription().xSize} * header.tileDescription().ySize;
+  if (tile > std::max(kSmallTile, 4 * width * height))
+    throw SceneError("tiles are larger than the image", where, "check that the file is whole");
 }
 
 void readAttributes(const Imf::Header& header, Image& image) {
