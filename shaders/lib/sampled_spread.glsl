@@ -29,7 +29,7 @@ vec3 lobeDirection(Bsdf b, vec3 wo, DrawnLobe lobe, vec2 u) {
   if (lobe.isCosine) {
     wi = sampleCosineHemisphere(u);
   } else {
-    const vec3 h = sampleVisibleNormal(wo, lobe.isCoat ? b.coatAlpha : b.alpha, u);
+    const vec3 h = lobe.isCoat ? sampleCoatNormal(b.coat, wo, u) : sampleVisibleNormal(wo, b.alpha, u);
     wi = 2.0 * dot(wo, h) * h - wo;
     if (!lobe.isTransmission || b.isThin || !refractLocal(wo, h, b.eta, wi)) wi.z = abs(wi.z);
     else return wi;
