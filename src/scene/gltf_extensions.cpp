@@ -11,7 +11,8 @@
 namespace importon {
 namespace {
 
-constexpr std::array<std::string_view, 10> kKnownExtensions = {
+constexpr std::array<std::string_view, 11> kKnownExtensions = {
+    "EXT_lights_image_based",
     "KHR_lights_punctual",  "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
     "KHR_materials_ior",    "KHR_materials_specular",  "KHR_materials_transmission",
     "KHR_materials_unlit",  "KHR_materials_volume",    "KHR_mesh_quantization",

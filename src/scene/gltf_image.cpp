@@ -22,14 +22,6 @@ struct ImageUse {
   std::size_t firstTexel = 0;
 };
 
-std::span<const unsigned char> encodedBytes(const tinygltf::Model& model, std::size_t image) {
-  const tinygltf::Image& source = model.images[image];
-  if (source.bufferView < 0) return source.image;
-  const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(source.bufferView)];
-  const std::vector<unsigned char>& buffer = model.buffers[static_cast<std::size_t>(view.buffer)].data;
-  return std::span(buffer).subspan(view.byteOffset, view.byteLength);
-}
-
 /// Decodes all; of several errors the first in the file is thrown, whatever the threads do.
 void decodeAll(const std::vector<ImageUse>& images, std::vector<uint>& texels) {
   std::vector<std::exception_ptr> errors(images.size());
@@ -55,7 +47,7 @@ std::vector<ImageUse> placeImages(const GltfDocument& document, const std::set<s
   std::size_t texelCount = 0;
   for (const std::size_t index : indices) {
     ImageUse image{
-        encodedBytes(document.model, index), document.source.at(fmt::format("/images/{}", index)), {}, 0};
+        encodedImage(document.model, index), document.source.at(fmt::format("/images/{}", index)), {}, 0};
     image.size = readImageSize(image.bytes, image.where);
     image.firstTexel = texelCount;
     texelCount += image.size.texels();
@@ -69,6 +61,14 @@ std::vector<ImageUse> placeImages(const GltfDocument& document, const std::set<s
 }
 
 }  // namespace
+
+std::span<const unsigned char> encodedImage(const tinygltf::Model& model, std::size_t image) {
+  const tinygltf::Image& source = model.images[image];
+  if (source.bufferView < 0) return source.image;
+  const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(source.bufferView)];
+  const std::vector<unsigned char>& buffer = model.buffers[static_cast<std::size_t>(view.buffer)].data;
+  return std::span(buffer).subspan(view.byteOffset, view.byteLength);
+}
 
 std::vector<uint> loadTexels(const GltfDocument& document, MaterialSet& set) {
   const std::set<std::size_t> indices(set.imageOfTexture.begin(), set.imageOfTexture.end());

@@ -7,6 +7,7 @@
 #include "scene/gltf_camera.h"
 #include "scene/gltf_document.h"
 #include "scene/gltf_image.h"
+#include "scene/gltf_image_light.h"
 #include "scene/gltf_light.h"
 #include "scene/gltf_material.h"
 #include "scene/gltf_nodes.h"
@@ -64,7 +65,9 @@ void addLights(const GltfDocument& document, std::span<const PlacedNode> nodes,
   for (const Light& light : readPunctualLights(document, nodes, scene.worldFromRender, radius)) {
     scene.lights.push_back(light);
   }
-  scene.environment = environment ? std::move(environment) : readEnvironment(document, log);
+  scene.environment = std::move(environment);
+  if (!scene.environment) scene.environment = readImageLight(document, log);
+  if (!scene.environment) scene.environment = readEnvironment(document, log);
   addEnvironmentLight(scene);
   if (!scene.lights.empty()) return;
   throw SceneError(

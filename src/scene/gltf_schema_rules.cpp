@@ -75,6 +75,13 @@ void addNodes(std::vector<SchemaRule>& rules) {
   node.reference("extensions/KHR_lights_punctual/light", "extensions/KHR_lights_punctual/lights", index, true);
   Rules environment(rules, "scenes/*/extras/environment");
   environment.optional("type", string).vector("radiance", 3, 0, kBrightest);
+  const std::string imageLights = "extensions/EXT_lights_image_based/lights";
+  Rules(rules, "scenes/*").optional("extensions/EXT_lights_image_based", object)
+      .reference("extensions/EXT_lights_image_based/light", imageLights, index, true);
+  Rules(rules, "").optional("extensions/EXT_lights_image_based", object).required(imageLights, objects);
+  Rules imageLight(rules, imageLights + "/*");
+  imageLight.range("intensity", 0, kBrightest).vector("rotation", 4).vector("irradianceCoefficients/*", 3, -kBrightest, kBrightest);
+  imageLight.reference("specularImages/*", "images", indices);
   Rules skin(rules, "skins/*");
   skin.reference("joints", "nodes", indices, true).reference("skeleton", "nodes");
   skin.reference("inverseBindMatrices", "accessors");
