@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "loader/load.h"
+#include "support/stability.h"
 
 namespace importon::test {
 namespace {
@@ -68,6 +69,7 @@ TEST(RenderSpace, AFarSceneKeepsItsShape) {
 }
 
 TEST(DegenerateTriangles, AreDroppedWithACount) {
+  StabilityCase listed(12, "triangles without area", "a counted warning, the rest unchanged");
   GltfBuilder builder = GltfBuilder::emissiveTriangle();
   const int positions = builder.addPositions({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0.5f, 0}});
   const int indices = builder.addIndices({0, 1, 2, 0, 1, 1, 0, 1, 3});
@@ -77,6 +79,7 @@ TEST(DegenerateTriangles, AreDroppedWithACount) {
   EXPECT_EQ(scene.triangles.size(), 2u);
   ASSERT_EQ(log.warnings().size(), 1u);
   EXPECT_NE(log.warnings()[0].message.find("2 triangles without area"), std::string::npos);
+  listed.note("dropped, counted", 1);
 }
 
 TEST(DegenerateTriangles, ThinNeedlesStay) {
@@ -87,6 +90,7 @@ TEST(DegenerateTriangles, ThinNeedlesStay) {
 }
 
 TEST(NonFiniteTriangles, AreDroppedWithACountAndTheRestStays) {
+  StabilityCase listed(12, "NaN and infinite vertices", "a counted warning, the rest unchanged");
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
   GltfBuilder builder = GltfBuilder::emissiveTriangle();
@@ -101,6 +105,7 @@ TEST(NonFiniteTriangles, AreDroppedWithACountAndTheRestStays) {
   EXPECT_NE(log.warnings()[0].message.find("3 triangles with a corner"), std::string::npos);
   EXPECT_EQ(scene.boundsMax, vec3(1, 1, 0));
   for (const vec3& position : scene.positions) EXPECT_TRUE(std::isfinite(glm::length(position)));
+  listed.note("dropped, counted, the rest unchanged", 1);
 }
 
 TEST(NonFiniteTriangles, AloneAreNoScene) {

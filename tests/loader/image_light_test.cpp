@@ -95,7 +95,7 @@ TEST(ImageLight, WithoutPicturesIsAsSoftAsItsIrradiance) {
 
 TEST(ImageLight, RefusesWhatIsNone) {
   EXPECT_NE(errorOf(withLight({{"intensity", -1}})).find("/lights/0/intensity"), std::string::npos);
-  EXPECT_NE(errorOf(withLight({})).find("neither six specularImages"), std::string::npos);
+  EXPECT_NE(errorOf(withLight(Json::object())).find("neither six specularImages"), std::string::npos);
   EXPECT_NE(errorOf(coloredCube({{"rotation", {0, 0, 0, 0}}})).find("quaternion"), std::string::npos);
   GltfBuilder missing = withLight({});
   missing.json["scenes"][0]["extensions"]["EXT_lights_image_based"]["light"] = 1;
