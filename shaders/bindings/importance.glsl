@@ -57,6 +57,11 @@ float lookupDensity(MapSettings map, vec3 position, vec3 normal) {
 float lookupRadius(MapSettings map, float density) { return radiusHolding(map.lookupPhotons, density, params.gridExtent); }
 
 /// Radius of the quota: holds Q photons, m.
-float quotaRadius(float required) { return radiusHolding(params.quotaPhotons, required, params.gridExtent); }
+float quotaRadius(float required) {
+  return min(radiusHolding(params.quotaPhotons, required, params.gridExtent), params.largestQuotaRadius);
+}
+
+/// Photons within the quota radius at the required density: Q, or fewer where the radius is bounded; at least 1.
+float quotaAt(float required, float radius) { return clamp(required * kPi * radius * radius, 1.0, params.quotaPhotons); }
 
 #endif

@@ -11,29 +11,9 @@ layout(scalar, binding = kBindingNeighbours) readonly buffer LevelsBlock { uint 
 layout(binding = kBindingWeights) uniform samplerBuffer weights;
 layout(push_constant, scalar) uniform PushBlock { ImportonDensityPush push; };
 
-const uint kBins = 32u;
-uint bins[kBins];
+float countedDistance(Walk walk, vec3 normal, float radius) { return likeDistance(walk, normal, radius); }
 
-/// Narrows [low, high) of squared distance to the bin in which the count reaches `nearest`; false: it does not.
-bool narrow(inout Walk walk, vec3 normal, float radius, inout float low, inout float high, inout uint inner) {
-  for (uint b = 0u; b < kBins; ++b) bins[b] = 0u;
-  const float scale = float(kBins) / (high - low);
-  restartWalk(walk);
-  while (nextPoint(walk)) {
-    const float d2 = likeDistance(walk, normal, radius);
-    if (d2 >= low && d2 < high) ++bins[min(uint((d2 - low) * scale), kBins - 1u)];
-  }
-  for (uint b = 0u; b < kBins; ++b) {
-    if (inner + bins[b] >= push.nearest) {
-      const float width = (high - low) / float(kBins);
-      low += width * float(b);
-      high = low + width * 1.0001;
-      return true;
-    }
-    inner += bins[b];
-  }
-  return false;
-}
+#include "lib/nearest.glsl"
 
 /// Γ from all importons nearer than `limit` (squared), which becomes that of the disc that was used.
 float importanceWithin(inout Walk walk, vec3 normal, float radius, inout float limit) {
@@ -66,19 +46,19 @@ void main() {
   // From the start level on to coarser ones: its count may have been that of other cells in the same slot.
   uint levels = push.levels & ((2u << startLevels[i]) - 1u);
   Walk walk;
-  float radius, low, high;
+  float radius;
+  Shell shell;
   bool isFound = false;
   while (levels != 0u && !isFound) {
     const uint level = uint(findMSB(levels));
     levels ^= 1u << level;
     radius = gridCellEdge(frame, level);
-    low = 0.0;
-    high = radius * radius;
-    uint inner = 0u;
+    shell = beginShell(radius);
     walk = beginWalkLevels(frame, point.position, normal, radius, 1u << level);
-    isFound = narrow(walk, normal, radius, low, high, inner);
-    if (isFound) narrow(walk, normal, radius, low, high, inner);
+    isFound = narrow(walk, normal, radius, push.nearest, shell);
+    if (isFound) narrow(walk, normal, radius, push.nearest, shell);
   }
-  required[site] = importanceWithin(walk, normal, radius, high);
-  if (kImportanceBound != kBoundNone) bounds[site] = high;  // for importon_bound.comp
+  float limit = isFound ? shellLimit(shell) : radius * radius;
+  required[site] = importanceWithin(walk, normal, radius, limit);
+  if (kImportanceBound != kBoundNone) bounds[site] = limit;  // for importon_bound.comp
 }

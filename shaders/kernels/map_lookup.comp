@@ -5,12 +5,9 @@
 #include "bindings/paths.glsl"
 #include "bindings/film.glsl"
 #include "bindings/importance.glsl"
-#include "bindings/stored.glsl"
-#include "lib/bsdf.glsl"
-#include "lib/flux.glsl"
+#include "bindings/photon_light.glsl"
 
 layout(scalar, binding = kBindingEyeVertices) readonly buffer EyeVerticesBlock { EyeVertex eyeVertices[]; };
-layout(binding = kBindingMapFlux) uniform usamplerBuffer mapFlux;
 layout(push_constant, scalar) uniform PushBlock { MapLookupPush push; };
 
 /// What one photon adds to the radiance.
@@ -18,14 +15,7 @@ vec3 photonContribution(Surface s, Bsdf b, vec3 wo, mat3 frame, uint photon, flo
   const uvec4 point = gridPoint(photon);
   const vec3 offset = uintBitsToFloat(point.xyz) - s.position;
   if (!hasLikeNormal(point.w, s.geometricNormal, kLikeNormal)) return vec3(0.0);
-  const vec3 towardsLight = mapPointDirection(point.w);
-  float pdf;
-  // Photons count flux per area of the true surface; the BSDF's cosine is the shading normal's. The bound holds
-  // where the two differ: without it one grazing photon could outshine all others.
-  const vec3 wi = towardsLight * frame;
-  const float cosine = max(abs(dot(towardsLight, s.geometricNormal)), min(abs(wi.z), 0.05));
-  const vec3 f = evalBsdf(b, wo, wi, pdf) / max(cosine, 1e-6);
-  return f * unpackFlux(texelFetch(mapFlux, int(photon)).xy) * epanechnikov(dot(offset, offset), radius);
+  return photonLight(s, b, wo, frame, photon, point.w) * epanechnikov(dot(offset, offset), radius);
 }
 
 /// Light reflected at s towards the path, W/(m² sr).

@@ -1,7 +1,8 @@
 #version 460
 // The rank quota: a hit is stored if fewer than Q photons lie within its quota radius, counting those already
-// stored and the hits of the batch that come before it. The order of threads does not matter. Run over the grid
-// of stored photons first (isBatch = 0), then over the grid of the batch's hits.
+// stored and the hits of the batch that come before it; or with a probability that falls as a cosine with that count
+// [Suykens and Willems 2000]. The order of threads does not matter. Run over the grid of stored photons first
+// (isBatch = 0), then over the grid of the batch's hits.
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/importance.glsl"
 #include "bindings/selection.glsl"
@@ -21,6 +22,18 @@ uint countNeighbours(Walk walk, vec3 normal, float radius, uint quota, uint i, u
   return count;
 }
 
+/// A uniform number in [0, 1) of the hit's own.
+float chance(uint i) {
+  const uint rank = records[selection[i]].kind >> kRecordRankShift;
+  return unitFloat(hashCombine(hashCombine(params.seed, kStreamStorage), hashCombine(params.pass, rank)));
+}
+
+bool isAccepted(uint count, float quota, uint i) {
+  if (count <= push.fewest) return true;
+  if (push.acceptance == kAcceptStep) return float(count) < quota;
+  return chance(i) < 0.5 + 0.5 * cos(kPi * min(float(count) / quota, 1.0));
+}
+
 void main() {
   const uint j = invocationIndex();
   if (j >= counters[kCounterSelected]) return;
@@ -28,7 +41,8 @@ void main() {
   const MapPoint point = selectedPoints[i];
   const vec3 normal = mapPointNormal(point.packed);
   const float radius = quotaRadius(required[i]);
-  const uint quota = uint(params.quotaPhotons);
+  const float share = quotaAt(required[i], radius);
+  const uint quota = uint(ceil(share - 0.001));
   const uint before = push.isBatch != 0u && push.hasStored != 0u ? neighbours[i] : 0u;
   const uint levels = counters[push.isBatch != 0u ? kCounterLevels : kCounterStoredLevels];
   const GridFrame frame = storedFrame();
@@ -37,5 +51,5 @@ void main() {
   if (count < quota)
     count = countNeighbours(beginWalk(frame, levels, point.position, normal, radius, radius), normal, radius, quota, i, before);
   neighbours[i] = count;
-  keep[i] = uint(count < quota);
+  keep[i] = uint(isAccepted(count, share, i));
 }

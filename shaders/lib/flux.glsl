@@ -16,6 +16,13 @@ uvec2 addFixed(uvec2 a, uvec2 b) {
   return uvec2(low, a.y + b.y + carry);
 }
 
+/// a - b for b no greater than a.
+uvec2 subtractFixed(uvec2 a, uvec2 b) {
+  uint borrow;
+  const uint low = usubBorrow(a.x, b.x, borrow);
+  return uvec2(low, a.y - b.y - borrow);
+}
+
 /// Quotient by a small number (1 .. 65535); the remainder goes to `rest`.
 uvec2 divideFixed(uvec2 a, uint divisor, out uint rest) {
   const uint high = a.y / divisor;

@@ -117,6 +117,42 @@ struct MapLookupPush {
   uint levels;  // counter with the map's grid levels
 };
 
+/// kernels/irradiance_estimate.comp
+struct IrradianceEstimatePush {
+  uint count;
+  uint isGlobal;
+  uint arePhotons;
+  uint levels;  // counter with the map's grid levels
+};
+
+/// kernels/map_irradiance.comp
+struct MapIrradiancePush {
+  uint source;
+  uint isGlobal;
+  uint arePhotons;
+  uint levels;  // counter with the map's grid levels
+};
+
+/// kernels/map_nearest.comp
+struct MapNearestPush {
+  uint source;
+  uint isGlobal;
+  uint levels;   // of the grid, a bit each
+  uint nearest;  // M
+};
+
+/// kernels/photon_entries.comp, kernels/photon_entry_points.comp
+struct PhotonEntriesPush {
+  uint slotMask;
+  uint levels;
+};
+
+/// kernels/aov_ask.comp, kernels/aov_answer.comp
+struct AovLightPush {
+  uint count;     // pixels of the tile
+  uint isGlobal;
+};
+
 /// kernels/cell_find.comp
 struct CellFindPush {
   uint isGlobal;
@@ -141,11 +177,14 @@ struct PhotonKeyPush {
 struct PhotonQuotaPush {
   uint isBatch;
   uint hasStored;
+  uint acceptance;  // kAccept*
+  uint fewest;      // up to so many neighbours do not count
 };
 
 /// kernels/photon_redistribute.comp
 struct PhotonRedistributePush {
   uint receivers;
+  uint shares;  // kShare*
 };
 
 /// kernels/photon_scatter.comp

@@ -43,6 +43,7 @@ struct Parameters {
   uint photonsPerPass;
   uint samplesPerPass;       // camera paths, and so gather rays, of each pixel in a pass
   float densityScale;        // growth of D_r over passes
+  float largestQuotaRadius;  // m
   uint cameraMedium;         // material of the solid that the camera is in, kNone: none
   float importonFlux;        // pixels that each importon starts with
   float irradianceUnits;     // of fixed-point flux per W in the irradiance map
@@ -152,7 +153,8 @@ SHARED_CONST uint kAovEmission = 10u;    // 3
 SHARED_CONST uint kAovImportance = 13u;  // caustic, global: pixels/m²
 SHARED_CONST uint kAovRequired = 15u;    // caustic, global: photons/m²
 SHARED_CONST uint kAovDensity = 17u;     // caustic, global: photons/m² of the last pass's map
-SHARED_CONST uint kAovFloats = 19u;
+SHARED_CONST uint kAovMapLight = 19u;    // caustic, global: 3 each, W/(m² sr) that the last pass's map holds there
+SHARED_CONST uint kAovFloats = 25u;
 
 /// A stored or storable point: photon hit, importon, photon. 16 bytes: one texel.
 struct MapPoint {
@@ -173,6 +175,13 @@ SHARED_CONST uint kRecordRankShift = 3u;  // above: a rank by path, then bounce,
 
 /// Fixed-point units of what a guide learns.
 SHARED_CONST float kGuideUnits = 1024.0f;
+
+// How the quota decides, and by what a rejected hit's power is shared out.
+SHARED_CONST uint kAcceptStep = 0u;    // while the density is below the required one
+SHARED_CONST uint kAcceptCosine = 1u;  // with a probability that falls as a cosine from 1 to 0 there
+SHARED_CONST uint kShareEqual = 0u;
+SHARED_CONST uint kShareByDistance = 1u;
+SHARED_CONST uint kShareByDirection = 2u;
 
 // What kernels/flux_sum.comp sums, in the order of its totals.
 SHARED_CONST uint kSumHits = 0u;

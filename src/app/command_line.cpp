@@ -9,6 +9,8 @@
 #include "app/converge_options.h"
 #include "app/option_checks.h"
 #include "app/render_options.h"
+#include "app/study_options.h"
+#include "app/talk_options.h"
 #include "base/error.h"
 
 namespace importon {
@@ -24,9 +26,10 @@ struct Parser {
   InfoCommand info;
   CompareCommand compare;
   ConvergeOptions converge;
+  StudyOptions study;
   MergeCommand merge;
   CLI::App *renderApp = nullptr, *infoApp = nullptr, *compareApp = nullptr, *convergeApp = nullptr,
-           *mergeApp = nullptr, *devicesApp = nullptr;
+           *studyApp = nullptr, *mergeApp = nullptr, *devicesApp = nullptr;
 
   Parser();
   void addInfo();
@@ -34,7 +37,7 @@ struct Parser {
   void addCompareOutputs();
   void addCompareLimits();
   void addMerge();
-  [[nodiscard]] Command chosen() const;
+  [[nodiscard]] Command chosen();
 };
 
 Parser::Parser() {
@@ -52,6 +55,9 @@ Parser::Parser() {
   convergeApp = app.add_subcommand(
       "converge", "render SCENE in several ways, and write error against time as JSON, CSV and a web page");
   addConvergeOptions(*convergeApp, converge);
+  studyApp = app.add_subcommand(
+      "study", "render SCENE with and without density control, and write the talk's figures as a web page");
+  addStudyOptions(*studyApp, study);
   addMerge();
   devicesApp = app.add_subcommand("devices", "list the Vulkan devices, with the one that would be used");
 }
@@ -135,22 +141,25 @@ void Parser::addMerge() {
       ->type_name("F.png");
 }
 
-Command Parser::chosen() const {
+Command Parser::chosen() {
   if (renderApp->parsed()) {
+    if (render.isTalk) applyTalk(*renderApp, render.job);
+    checkTalkOptions(*renderApp, render.job);
     checkRenderCommand(render);
     return render;
   }
   if (infoApp->parsed()) return info;
   if (compareApp->parsed()) return compare;
   if (convergeApp->parsed()) return makeConvergeCommand(converge, convergeApp->remaining());
+  if (studyApp->parsed()) return makeStudyCommand(study, studyApp->remaining());
   if (mergeApp->parsed()) return merge;
   return DevicesCommand{};
 }
 
 /// Puts `render` before what is no command.
 std::vector<std::string> withCommand(std::span<const std::string> arguments) {
-  constexpr std::array<std::string_view, 9> kFirstWords{
-      "render", "info", "compare", "converge", "merge", "devices", "--help", "-h", "--version"};
+  constexpr std::array<std::string_view, 10> kFirstWords{
+      "render", "info", "compare", "converge", "study", "merge", "devices", "--help", "-h", "--version"};
   std::vector<std::string> words(arguments.begin(), arguments.end());
   if (std::find(kFirstWords.begin(), kFirstWords.end(), words.front()) == kFirstWords.end()) {
     words.insert(words.begin(), "render");

@@ -14,6 +14,7 @@ namespace importon {
 
 struct RenderCommand {
   RenderJob job;
+  bool isTalk = false;  // --talk; its settings stand in the job
   Log::Verbosity verbosity = Log::Verbosity::normal;
 };
 
@@ -45,6 +46,12 @@ struct ConvergeCommand {
   Log::Verbosity verbosity = Log::Verbosity::normal;
 };
 
+struct StudyCommand {
+  std::filesystem::path scene, folder;
+  std::vector<NamedJob> configs;  // the first is what the others are held against
+  Log::Verbosity verbosity = Log::Verbosity::normal;
+};
+
 struct MergeCommand {
   std::vector<std::filesystem::path> images;  // two or more
   std::filesystem::path output, png;          // png may be empty: none
@@ -57,7 +64,7 @@ struct TextCommand {
   std::string text;
 };
 
-using Command = std::variant<RenderCommand, InfoCommand, CompareCommand, ConvergeCommand, MergeCommand,
+using Command = std::variant<RenderCommand, InfoCommand, CompareCommand, ConvergeCommand, StudyCommand, MergeCommand,
                              DevicesCommand, TextCommand>;
 
 /// Reads the arguments after the program's name. `importon SCENE ...` is short for `importon render SCENE ...`.

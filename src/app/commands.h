@@ -22,6 +22,9 @@ namespace importon {
 /// Renders, and writes results.json, results.csv and index.html. Throws SceneError, DeviceError and OutputError.
 [[nodiscard]] ExitStatus runConverge(const ConvergeCommand& command, const std::atomic<bool>& isInterrupted);
 
+/// Renders, and writes study.json and index.html. Throws SceneError, DeviceError and OutputError.
+[[nodiscard]] ExitStatus runStudy(const StudyCommand& command, const std::atomic<bool>& isInterrupted);
+
 /// Writes the average. Throws SceneError and OutputError.
 [[nodiscard]] ExitStatus runMerge(const MergeCommand& command);
 

@@ -1,7 +1,7 @@
 #include <array>
-#include <system_error>
 
 #include "app/commands.h"
+#include "app/output_folder.h"
 #include "fmt/format.h"
 #include "io/image.h"
 #include "io/layers.h"
@@ -16,17 +16,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::array kFiles{"results.json", "results.csv", "index.html"};
 
-void makeFolder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw OutputError("cannot make the folder: " + error.message(), folder.string(), "choose another one");
-  for (const char* file : kFiles) checkWritable(folder / file);
-}
-
 }  // namespace
 
 ExitStatus runConverge(const ConvergeCommand& command, const std::atomic<bool>& isInterrupted) {
-  makeFolder(command.folder);
+  makeFolder(command.folder, kFiles);
   Log log(command.verbosity);
   const Image reference = takeColor(readExr(command.reference), "", command.reference.string());
   const Clock::time_point loadStart = Clock::now();

@@ -1,9 +1,9 @@
 #include "app/converge_options.h"
 
 #include <algorithm>
-#include <iterator>
 #include <sstream>
 
+#include "app/named_job.h"
 #include "app/option_checks.h"
 #include "base/error.h"
 #include "fmt/format.h"
@@ -12,11 +12,6 @@ namespace importon {
 namespace {
 
 constexpr const char* kDefaultNames = "default,uncontrolled,path";
-
-std::vector<std::string> wordsOf(const std::string& text) {
-  std::istringstream stream(text);
-  return {std::istream_iterator<std::string>(stream), {}};
-}
 
 std::vector<std::string> knownNames() {
   std::vector<std::string> names;
@@ -43,24 +38,6 @@ std::vector<double> timesOf(const std::string& list) {
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
-}
-
-/// The job of `render SCENE` with these options, by the parser of render.
-NamedJob makeConfig(const std::string& name, const std::string& options, const std::filesystem::path& scene,
-                    const std::vector<std::string>& common) {
-  std::vector<std::string> words{"render", scene.string(), "-o", "unused.exr"};
-  words.insert(words.end(), common.begin(), common.end());
-  const std::vector<std::string> own = wordsOf(options);
-  words.insert(words.end(), own.begin(), own.end());
-  try {
-    const auto render = std::get<RenderCommand>(parseCommandLine(words));
-    return {name, options, render.job};
-  } catch (const std::bad_variant_access&) {
-    throw UsageError(fmt::format("configuration {} does not render", name), "command line",
-                     "give options of importon render");
-  } catch (const UsageError& error) {
-    throw UsageError(fmt::format("configuration {}: {}", name, error.what()), "", "see importon render --help");
-  }
 }
 
 }  // namespace
@@ -112,20 +89,9 @@ void addConvergeOptions(CLI::App& app, ConvergeOptions& options) {
 ConvergeCommand makeConvergeCommand(const ConvergeOptions& options, const std::vector<std::string>& common) {
   ConvergeCommand command{options.scene, options.reference, options.folder, {}, options.times, options.seeds, {}};
   for (const std::string& name : options.names)
-    command.configs.push_back(makeConfig(name, optionsOf(name), options.scene, common));
-  for (const std::string& text : options.custom) {
-    const std::size_t equals = text.find('=');
-    if (equals == 0 || equals == std::string::npos || text.find_first_of(",\"\n") < equals)
-      throw UsageError(fmt::format("--config \"{}\" has no plain name", text), "command line", "give NAME=OPTIONS");
-    command.configs.push_back(makeConfig(text.substr(0, equals), text.substr(equals + 1), options.scene, common));
-  }
-  for (std::size_t i = 0; i < command.configs.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (command.configs[i].name == command.configs[j].name)
-        throw UsageError(fmt::format("configuration {} is there twice", command.configs[i].name), "command line",
-                         "give each its own name");
-    }
-  }
+    command.configs.push_back(makeNamedJob(name, optionsOf(name), options.scene, common));
+  for (const std::string& text : options.custom) command.configs.push_back(parseNamedJob(text, options.scene, common));
+  checkNames(command.configs);
   return command;
 }
 

@@ -6,7 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "app/option_checks.h"
+#include "app/option_choice.h"
+#include "app/talk_options.h"
 #include "base/error.h"
 #include "fmt/format.h"
 #include "render/aov_names.h"
@@ -16,33 +17,14 @@ namespace {
 
 constexpr std::int64_t kMostPixelsWide = 65536, kMostPasses = 1'000'000, kMostPaths = 1 << 30,
                        kMostThreads = 4096;
-constexpr std::int64_t kMostDepth = 1000, kMostGatherRays = 65536, kMostReceivers = 64, kMostMiB = 1 << 30;
+constexpr std::int64_t kMostDepth = 1000, kMostGatherRays = 65536, kMostReceivers = 32, kMostMiB = 1 << 30;
 constexpr std::int64_t kMostSeed = std::numeric_limits<std::uint32_t>::max();
-
-/// "a, b, c": for the help.
-std::string listOf(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ",") + name;
-  return list;
-}
 
 std::vector<std::string> aovNames() { return {kAovNames.begin(), kAovNames.end()}; }
 
 template <class Value>
 std::string withDefault(const std::string& help, Value value) {
   return fmt::format("{} (default: {})", help, value);
-}
-
-/// An option whose value is one of a few names; `assign` takes the value that belongs to the name.
-template <class Value>
-CLI::Option* addChoice(CLI::App& app, const std::string& name, std::map<std::string, Value> choices,
-                       Value& target, const std::string& help) {
-  const auto assign = [choices, &target](const std::string& text) { target = choices.at(text); };
-  std::vector<std::string> names;
-  for (const auto& [choice, value] : choices) names.push_back(choice);
-  return app.add_option_function<std::string>(name, assign, help)
-      ->check(oneOf(names))
-      ->type_name(listOf(names));
 }
 
 void addOutputOptions(CLI::App& app, RenderCommand& command) {
@@ -62,7 +44,8 @@ void addOutputOptions(CLI::App& app, RenderCommand& command) {
          "extra layers, comma separated (default: none), of\nalbedo N P depth direct caustic indirect emission "
          "variance error\n"
          "importance.caustic importance.global required.caustic\nrequired.global density.caustic "
-         "density.global")
+         "density.global radiance.caustic\nradiance.global importons.caustic importons.global\nphotons.caustic "
+         "photons.global")
       ->type_name("LIST")
       ->group(group);
   app.add_option("--reference", job.reference,
@@ -299,6 +282,7 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
   addStoppingOptions(app, command.job);
   addMethodOptions(app, command.job);
   addDensityOptions(app, command.job);
+  addTalkOptions(app, command.job, command.isTalk);
   addPauseOptions(app, command.job);
   addMachineOptions(app, command);
   addMessageOptions(app, command);

@@ -21,6 +21,7 @@ struct Runner {
   ExitStatus operator()(const ConvergeCommand& command) const {
     return runConverge(command, watchForInterrupt());
   }
+  ExitStatus operator()(const StudyCommand& command) const { return runStudy(command, watchForInterrupt()); }
   ExitStatus operator()(const MergeCommand& command) const { return runMerge(command); }
   ExitStatus operator()(const DevicesCommand&) const { return runDevices(); }
   ExitStatus operator()(const TextCommand& command) const {

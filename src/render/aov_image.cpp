@@ -25,6 +25,8 @@ const std::map<std::string, Source>& sources() {
       {"required.global", {kAovRequired + 1, "Y"}},
       {"density.caustic", {kAovDensity, "Y"}},
       {"density.global", {kAovDensity + 1, "Y"}},
+      {"radiance.caustic", {kAovMapLight, "RGB"}},
+      {"radiance.global", {kAovMapLight + 3, "RGB"}},
   };
   return table;
 }

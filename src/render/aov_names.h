@@ -19,6 +19,12 @@ inline constexpr std::array kAovNames{"albedo",
                                       "required.caustic",
                                       "required.global",
                                       "density.caustic",
-                                      "density.global"};
+                                      "density.global",
+                                      "radiance.caustic",
+                                      "radiance.global",
+                                      "importons.caustic",
+                                      "importons.global",
+                                      "photons.caustic",
+                                      "photons.global"};
 
 }  // namespace importon

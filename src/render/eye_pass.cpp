@@ -37,6 +37,15 @@ void traceShadowRays(const Stage& stage, gpu::BindingTable table, uint counter) 
 void lookUp(const Stage& stage, gpu::BindingTable table, const ImportanceMap& importance, const PhotonMap& map,
             uint counter, bool isGlobal) {
   importance.bind(table);
+  if (map.hasIrradiance()) {
+    map.bindIrradiance(table);
+    overItems(stage, stage.kernels.mapIrradiance, table, counter, map.irradiancePush(counter));
+  }
+  if (map.isReadByNearest()) {
+    map.bindNearest(table);
+    overItems(stage, stage.kernels.mapNearest, table, counter, map.nearestPush(counter));
+    return;
+  }
   map.bindFinished(table);
   overItems(stage, stage.kernels.mapLookup, table, counter, MapLookupPush{counter, isGlobal, map.levelsCounter()});
 }
@@ -94,6 +103,9 @@ void traceAovs(const Stage& stage, const EyeMaps& maps, uint first, uint count, 
     importance.bind(table);
     map->bindFinished(table);
     stage.recorder.dispatch(stage.kernels.aovMap, table, count, AovMapPush{count, isGlobal, map->levelsCounter()});
+    stage.recorder.dispatch(stage.kernels.aovAsk, table, count, AovLightPush{count, isGlobal});
+    lookUp(stage, table, importance, *map, kCounterQueueA, isGlobal);
+    stage.recorder.dispatch(stage.kernels.aovAnswer, table, count, AovLightPush{count, isGlobal});
   };
   addMap(maps.caustic, maps.importance->caustic, false);
   addMap(maps.global, maps.importance->global, true);

@@ -40,6 +40,7 @@ bool usesTextures(const Material& m) {
 
 bool readsCells(const RenderJob& job) {
   if (job.gatherFrom != GatherSource::automatic) return job.gatherFrom == GatherSource::cells;
+  if (job.lookup == MapLookup::nearest || job.lookupPhotons || job.irradiance != IrradianceCache::off) return false;
   return job.control != DensityControl::probability && !job.redistribute && job.importance == ImportanceChoice::map;
 }
 

@@ -103,6 +103,11 @@ void ImportanceMap::bind(gpu::BindingTable& table) const {
   table.set(kBindingImportonHitsOut, hits);
 }
 
+std::vector<MapPoint> ImportanceMap::readPoints() const {
+  if (count == 0) return {};
+  return grid.points.download<MapPoint>(sites());
+}
+
 ImportanceMaps makeImportanceMaps(gpu::Context& context, std::uint64_t importons, bool hasDifferentials) {
   return {makeMap(context, "caustic importons", importons, hasDifferentials),
           makeMap(context, "global importons", importons, hasDifferentials)};

@@ -1,5 +1,7 @@
 /// Importance maps: importons, and importance at each from its nearest ones.
 #pragma once
+#include <vector>
+
 #include "render/point_grid.h"
 
 namespace importon {
@@ -21,6 +23,9 @@ struct ImportanceMap {
   std::uint64_t count = 0;  // importons
 
   void bind(gpu::BindingTable& table) const;
+  /// The sites, render space; each stands for kImportonsPerSite importons.
+  [[nodiscard]] std::vector<MapPoint> readPoints() const;
+  [[nodiscard]] std::uint64_t sites() const { return (count + kImportonsPerSite - 1) / kImportonsPerSite; }
 };
 
 struct ImportanceMaps {

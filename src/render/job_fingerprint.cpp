@@ -25,7 +25,10 @@ std::string settingsOf(const RenderJob& job) {
                      static_cast<int>(job.differentialBound), static_cast<int>(job.emission), shown(job.photonBatch),
                      job.causticDensity,
                      job.globalDensity, shown(job.constantDensity), shown(job.redistribute), shown(job.gather),
-                     job.filtersIndirect, job.maxDepth, shown(job.memoryMiB));
+                     job.filtersIndirect, job.maxDepth, shown(job.memoryMiB)) +
+         fmt::format(" {} {} {} {} {} {} {} {}", static_cast<int>(job.irradiance), static_cast<int>(job.acceptance), static_cast<int>(job.shares),
+                     shown(job.quota), job.hasProgramLimits, static_cast<int>(job.lookup), shown(job.lookupPhotons),
+                     shown(job.nearestImportons));
 }
 
 }  // namespace

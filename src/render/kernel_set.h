@@ -9,10 +9,13 @@ struct KernelSet {
   gpu::Kernel setCounter, compactCount, scan, compactScatter, sortCount, sortScatter, gridCells, gridPoints;
   gpu::Kernel traceClosest, traceShadow;
   gpu::Kernel eyeEmit, eyeScatter, eyeLight, mapLookup, filmAdd, aovSurface, aovMap;
-  gpu::Kernel importonEmit, importonDifferential, importonBound, importonScatter, importonCount, importonLevel, importonEntries, importonPoints,
+  gpu::Kernel mapNearest, mapIrradiance, irradianceEstimate, aovAsk, aovAnswer;
+  gpu::Kernel importonEmit, importonDifferential, importonBound, importonScatter, importonCount, importonLevel,
+      importonEntries, importonPoints,
       importonDensity, importonKey, importonResolve;
   gpu::Kernel photonEmit, photonEmitGuided, photonScatter, causticScatter, guideLearn, irradianceAdd, aovCells;
   gpu::Kernel recordSelect, hitKey, photonQuota, photonStore, photonThin, pilotCount, photonKey,
+      photonEntries, photonEntryPoints,
       photonRedistribute, photonResolve, fluxSum;
   gpu::Kernel cellFind, cellClaim, cellSettle, cellAdd, cellClear;
 };

@@ -15,24 +15,40 @@ struct LookupPhotons {
 // noisy; gathers average many lookups, and a small radius loses less light at edges.
 constexpr LookupPhotons kCausticLookup{20, 8}, kGlobalLookup{8, 5};
 constexpr double kFloorPhotons = 20;        // within the largest radius, at least
-constexpr double kQuotaPhotons = 8;         // Q
+constexpr int kQuotaPhotons = 8;            // Q
 constexpr int kSamplesPerPass = 4;          // camera paths per pixel that share one photon map
 constexpr double kLargestLookup = 0.025;     // radius over the scene's largest side
 constexpr std::uint64_t kBytesPerPhoton = 96;  // stored, sorted and finished, with its share of the cells
 constexpr std::uint64_t kBytesPerCell = 128;    // two sides, two halves
+constexpr uint kProgramFewest = 3;        // neighbours that the program takes for none
+constexpr int kNearestPhotons = 80;       // of a lookup by the nearest ones
+constexpr std::uint64_t kPhotonLevels = 12;  // at which a photon may stand for lookups of the nearest ones
 constexpr uint kImportonLevels = 21;        // grid levels at which an importon may stand
 
+/// The program gives no place less than one photon per m².
+constexpr float kProgramDensityFloor = 1;
+
 MapSettings mapSettings(const RenderJob& job, double photonsPerPixel, uint mask, double extent, LookupPhotons lookup) {
+  if (job.lookupPhotons) lookup = {static_cast<double>(*job.lookupPhotons), lookup.fewest / lookup.required * *job.lookupPhotons};
   const double radius = kLargestLookup * extent;
   MapSettings map{};
   map.photonsPerPixel = static_cast<float>(photonsPerPixel);
   map.constantDensity = static_cast<float>(job.constantDensity.value_or(0));
   map.densityFloor = static_cast<float>(kFloorPhotons / (M_PI * radius * radius));
+  if (job.hasProgramLimits) map.densityFloor = kProgramDensityFloor;
   map.recordMask = mask;
   map.lookupPhotons = static_cast<float>(lookup.required);
   map.fewestPhotons = static_cast<float>(lookup.fewest);
   map.densityLimit = std::numeric_limits<float>::max();
   return map;
+}
+
+/// Largest radius within which the program looks for neighbours: a disc that, were all hits of `photons` even over the
+/// scene's surfaces of `area` m², would hold 1/0.03 times what is looked for. Else none.
+float largestQuotaRadius(const RenderJob& job, std::uint32_t photons, double quota, double area) {
+  constexpr double kProgramShare = 0.03;
+  if (!job.hasProgramLimits) return std::numeric_limits<float>::max();
+  return static_cast<float>(std::sqrt(quota * area / (kProgramShare * M_PI * std::max(photons, 1u))));
 }
 
 /// A power of two such that all flux that a map may hold stays below 2^62 units.
@@ -51,7 +67,13 @@ PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2
   plan.maxPasses = job.passes.value_or(job.seconds ? 1 << 20 : 64);
   plan.workspace.slots = plan.tilePixels;
   plan.samples = static_cast<std::uint32_t>(job.gather.value_or(job.integrator == Integrator::photon ? kSamplesPerPass : 1));
-  plan.receivers = static_cast<uint>(job.redistribute.value_or(0));
+  plan.storage.receivers = static_cast<uint>(job.redistribute.value_or(0));
+  plan.storage.acceptance = job.acceptance == Acceptance::step ? kAcceptStep : kAcceptCosine;
+  plan.storage.shares = static_cast<uint>(job.shares);
+  plan.storage.fewest = job.hasProgramLimits ? kProgramFewest : 0;
+  plan.storage.probabilityFloor = static_cast<float>(job.probabilityFloor);
+  plan.nearestPhotons = job.lookup == MapLookup::nearest ? static_cast<uint>(job.lookupPhotons.value_or(kNearestPhotons)) : 0;
+  if (job.nearestImportons) plan.nearestImportons = static_cast<uint>(*job.nearestImportons);
   if (job.integrator == Integrator::path) {
     plan.importons = 1;
     plan.workspace.records = 1;
@@ -77,7 +99,17 @@ PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2
   plan.workspace.records = std::max<std::uint64_t>(plan.batch, plan.importons) * events;
   plan.workspace.entries = std::max<std::uint64_t>(
       {plan.workspace.records, plan.mapCapacity, std::uint64_t{plan.importons} * kImportonLevels});
+  if (plan.nearestPhotons > 0)
+    plan.workspace.entries = std::max(plan.workspace.entries, std::min(plan.mapCapacity * kPhotonLevels, mostRecords));
   return plan;
+}
+
+double surfaceArea(const Scene& scene) {
+  double area = 0;
+  for (const Triangle& t : scene.triangles)
+    area += 0.5 * glm::length(glm::cross(scene.positions[t.v1] - scene.positions[t.v0],
+                                         scene.positions[t.v2] - scene.positions[t.v0]));
+  return area;
 }
 
 Parameters makeParameters(const RenderJob& job, const Scene& scene, const PassPlan& plan, glm::ivec2 size) {
@@ -105,7 +137,8 @@ Parameters makeParameters(const RenderJob& job, const Scene& scene, const PassPl
   p.samplesPerPass = plan.samples;
   p.maxDepth = static_cast<uint>(job.maxDepth);
   p.fluxScale = chooseFluxScale(power, job.maxDepth);
-  p.quotaPhotons = static_cast<float>(kQuotaPhotons);
+  p.quotaPhotons = static_cast<float>(job.quota.value_or(kQuotaPhotons));
+  p.largestQuotaRadius = largestQuotaRadius(job, plan.photons, p.quotaPhotons, surfaceArea(scene));
   p.densityScale = 1;
   p.importonFlux = 1;
   p.causticMap = mapSettings(job, job.causticDensity, kRecordCaustic, longest, kCausticLookup);

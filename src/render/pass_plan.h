@@ -2,6 +2,7 @@
 #pragma once
 #include "render/camera_setup.h"
 #include "render/feature_set.h"
+#include "render/storage_rule.h"
 #include "render/workspace.h"
 
 namespace importon {
@@ -12,7 +13,8 @@ struct PassPlan {
   std::uint32_t importons = 0;
   std::uint32_t samples = 1;    // camera paths, and so gather rays, per pixel and pass
   uint nearestImportons = 32;   // M of the importance estimate
-  uint receivers = 0;           // M'; 0: the photon of its cell
+  StorageRule storage;          // without control and expected density, which may change
+  uint nearestPhotons = 0;      // of a lookup; 0: all within a radius
   std::uint64_t tilePixels = 0;
   std::uint64_t mapCapacity = 0;  // photons
   std::uint64_t mostCells = 0;    // of the irradiance map
@@ -23,6 +25,9 @@ struct PassPlan {
 /// Chooses counts for an image of `size` pixels on a device of `limits`.
 [[nodiscard]] PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2 size,
                                   const gpu::Limits& limits);
+
+/// m², of one side of all triangles.
+[[nodiscard]] double surfaceArea(const Scene& scene);
 
 /// Parameters that hold for all passes: camera, scene, map settings.
 [[nodiscard]] Parameters makeParameters(const RenderJob& job, const Scene& scene, const PassPlan& plan,

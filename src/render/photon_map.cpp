@@ -1,6 +1,7 @@
 #include "render/photon_map.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "shared/bindings.h"
 #include "shared/push_data.h"
@@ -66,7 +67,7 @@ void PhotonMap::addBatch(const Stage& stage, const ImportanceMap& importance, co
     overItems(stage, stage.kernels.hitKey, table, kCounterSelected,
               HitKeyPush{kind_ == MapKind::global, batch_.slotMask, isControlled});
     if (isControlled) {
-      controlByQuota(stage, table, importance, rule.receivers);
+      controlByQuota(stage, table, importance, rule);
     } else {
       store(stage, table);
       countStored(stage);
@@ -104,21 +105,21 @@ void PhotonMap::controlByProbability(const Stage& stage, gpu::BindingTable& tabl
 }
 
 void PhotonMap::controlByQuota(const Stage& stage, gpu::BindingTable& table, const ImportanceMap& importance,
-                               uint receivers) {
+                               const StorageRule& rule) {
   const KernelSet& kernels = stage.kernels;
   buildGrid(stage, batch_, kCounterSelected, stage.work.selectedPoints);
   table.set(kBindingValuesIn, batch_.order);
   if (hasStored_) {
     bindStored(table, stored_);
-    overItems(stage, kernels.photonQuota, table, kCounterSelected, PhotonQuotaPush{0, 0});
+    overItems(stage, kernels.photonQuota, table, kCounterSelected, PhotonQuotaPush{0, 0, rule.acceptance, rule.fewest});
   }
   bindStored(table, batch_);
-  overItems(stage, kernels.photonQuota, table, kCounterSelected, PhotonQuotaPush{1, hasStored_});
+  overItems(stage, kernels.photonQuota, table, kCounterSelected, PhotonQuotaPush{1, hasStored_, rule.acceptance, rule.fewest});
   store(stage, table);
   countStored(stage);
   buildStoredGrid(stage, importance, false);
   bindStored(table, stored_);
-  overItems(stage, kernels.photonRedistribute, table, kCounterSelected, PhotonRedistributePush{receivers});
+  overItems(stage, kernels.photonRedistribute, table, kCounterSelected, PhotonRedistributePush{rule.receivers, rule.shares});
   store(stage, table);  // those without a receiver
   countStored(stage);
 }
@@ -135,7 +136,7 @@ void PhotonMap::buildStoredGrid(const Stage& stage, const ImportanceMap& importa
   buildGrid(stage, stored_, kCounterStored, points_);
 }
 
-void PhotonMap::finish(const Stage& stage, const ImportanceMap& importance) {
+void PhotonMap::finish(const Stage& stage, const ImportanceMap& importance, uint nearest) {
   setCounter(stage, kCounterStored, 0, counter(kMapStored));
   buildStoredGrid(stage, importance, true);
   setCounter(stage, counter(kMapLevels), 0, kCounterStoredLevels);
@@ -147,10 +148,82 @@ void PhotonMap::finish(const Stage& stage, const ImportanceMap& importance) {
   table.set(kBindingPointsOut, mapFlux_);
   overTiles(stage, stage.kernels.fluxSum, table, kCounterStored, FluxSumPush{kSumMap, kCounterStored});
   overItems(stage, stage.kernels.photonResolve, table, kCounterStored);
+  if (nearest > 0) buildNearestGrid(stage, nearest);
   if (!hasCells_) return;
   table.set(kBindingPhotonCells, cells_);
   table.set(kBindingPhotonSlots, slots_);
   overItems(stage, stage.kernels.cellClear, table, kCounterStored);
+}
+
+namespace {
+constexpr int kFinestLevel = 20;  // lib/grid.glsl
+}
+
+void PhotonMap::buildNearestGrid(const Stage& stage, uint nearest) {
+  constexpr int kCoarserLevels = 4;  // than those in use, for places with few photons
+  constexpr int kFinerLevels = 3;    // for places with many, where nothing controls the density
+  stage.recorder.submitAndWait();
+  const auto counters = stage.work.counters.download<uint>(kCounterCount);
+  const uint used = counters[kCounterStoredLevels], stored = counters[kCounterStored];
+  nearest_.reset();
+  nearest_.emplace();
+  nearest_->photons = nearest;
+  if (used == 0) return;
+  const int finest = std::min(static_cast<int>(std::bit_width(used)) - 1 + kFinerLevels, kFinestLevel);
+  const int coarsest = std::max(std::countr_zero(used) - kCoarserLevels, 0);
+  uint levels = (2u << finest) - (1u << coarsest);
+  // What does not fit is left out from the finest level on: cells then hold more photons than the search needs.
+  while (std::popcount(levels) > 1 && std::uint64_t{stored} * static_cast<uint>(std::popcount(levels)) > stage.work.size.entries)
+    levels ^= std::bit_floor(levels);
+  const uint entries = stored * static_cast<uint>(std::popcount(levels));
+  nearest_->levels = levels;
+  nearest_->grid = PointGrid(stage.gpu, "nearest photons", entries);
+  nearest_->flux = gpu::Buffer(stage.gpu, "flux of nearest photons", entries * sizeof(uvec2), TexelFormat::uint2);
+  setCounter(stage, kCounterEntries, entries);
+  gpu::BindingTable table = stage.work.table;
+  table.set(kBindingPhotonPoints, points_);
+  table.set(kBindingPhotonFlux, flux_);
+  table.set(kBindingKeysOut, stage.work.keysA);
+  const PhotonEntriesPush push{nearest_->grid.slotMask, levels};
+  overItems(stage, stage.kernels.photonEntries, table, kCounterEntries, push);
+  sortIntoCells(stage, nearest_->grid, kCounterEntries);
+  table.set(kBindingValuesIn, nearest_->grid.order);
+  table.set(kBindingPointsOut, nearest_->grid.points);
+  table.set(kBindingWeightsOut, nearest_->flux);
+  overItems(stage, stage.kernels.photonEntryPoints, table, kCounterEntries, push);
+}
+
+void PhotonMap::estimateIrradiance(const Stage& stage, const ImportanceMap& importance, bool atPhotons) {
+  const std::uint64_t points = atPhotons ? capacity_ : std::max<std::uint64_t>(importance.sites(), 1);
+  if (!hasIrradiance()) irradiance_ = gpu::Buffer(stage.gpu, "irradiance", points * sizeof(uvec2), TexelFormat::uint2);
+  isIrradianceAtPhotons_ = atPhotons;
+  gpu::BindingTable table = stage.work.table;
+  importance.bind(table);
+  bindFinished(table);
+  table.set(kBindingPoints, atPhotons ? stored_.points : importance.grid.points);
+  table.set(kBindingPointsOut, irradiance_);
+  const IrradianceEstimatePush push{static_cast<uint>(points), kind_ == MapKind::global, atPhotons, levelsCounter()};
+  if (atPhotons) overItems(stage, stage.kernels.irradianceEstimate, table, kCounterStored, push);
+  else stage.recorder.dispatch(stage.kernels.irradianceEstimate, table, push.count, push);
+}
+
+void PhotonMap::bindIrradiance(gpu::BindingTable& table) const {
+  bindStored(table, stored_);
+  table.set(kBindingMapFlux, irradiance_);
+}
+
+MapIrradiancePush PhotonMap::irradiancePush(uint source) const {
+  return {source, kind_ == MapKind::global, isIrradianceAtPhotons_, levelsCounter()};
+}
+
+MapNearestPush PhotonMap::nearestPush(uint source) const {
+  return {source, kind_ == MapKind::global, nearest_->levels, nearest_->photons};
+}
+
+void PhotonMap::bindNearest(gpu::BindingTable& table) const {
+  if (nearest_->levels == 0) return bindFinished(table);
+  bindStored(table, nearest_->grid);
+  table.set(kBindingMapFlux, nearest_->flux);
 }
 
 void PhotonMap::bindFinished(gpu::BindingTable& table) const {
@@ -172,6 +245,12 @@ PhotonMapCounts PhotonMap::readCounts(const Stage& stage, float fluxScale) const
     counts.isEnergyExact = counts.isEnergyExact && totals[(isThinned_ ? 6 : 0) + c] == totals[3 + c];
   }
   return counts;
+}
+
+std::vector<MapPoint> PhotonMap::readPoints(const Stage& stage) const {
+  const auto counters = stage.work.counters.download<uint>(kCounterCount);
+  const uint count = counters[counter(kMapStored)];
+  return count > 0 ? stored_.points.download<MapPoint>(count) : std::vector<MapPoint>();
 }
 
 std::uint64_t PhotonMap::bytes() const {

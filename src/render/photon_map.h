@@ -2,10 +2,13 @@
 /// power to photons that are there.
 #pragma once
 #include <array>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "render/expected_density.h"
-#include "render/render_job.h"
+#include "render/storage_rule.h"
+#include "shared/push_data.h"
 
 namespace importon {
 
@@ -14,14 +17,6 @@ struct PhotonMapCounts {
   std::uint64_t hits = 0, stored = 0, redistributed = 0, overflow = 0;
   std::array<double, 3> fluxHits{}, fluxMap{};  // W
   bool isEnergyExact = true;  // to the last bit of the fixed point: the two, or by probability what was kept and the map
-};
-
-/// How a map decides which hits it stores.
-struct StorageRule {
-  DensityControl control = DensityControl::density;
-  uint receivers = 0;  // M' nearest photons that share the power of a rejected hit, by the rank quota; 0: that of its cell
-  const ExpectedDensity* expected = nullptr;  // for control by probability
-  float probabilityFloor = 0;
 };
 
 class PhotonMap {
@@ -33,8 +28,20 @@ class PhotonMap {
   void begin(const Stage& stage);
   /// Takes the batch of hits in the workspace's records.
   void addBatch(const Stage& stage, const ImportanceMap& importance, const StorageRule& rule);
-  /// Sorts the photons for lookups.
-  void finish(const Stage& stage, const ImportanceMap& importance);
+  /// Sorts the photons for lookups by radius; with `nearest` above 0, also for lookups of the so many nearest photons,
+  /// which waits for the device.
+  void finish(const Stage& stage, const ImportanceMap& importance, uint nearest = 0);
+  /// True if the finished map is read by the nearest photons.
+  [[nodiscard]] bool isReadByNearest() const { return nearest_.has_value(); }
+  [[nodiscard]] MapNearestPush nearestPush(uint source) const;
+  /// Precomputes irradiance at the photons of the finished map, or at the importons.
+  void estimateIrradiance(const Stage& stage, const ImportanceMap& importance, bool atPhotons);
+  [[nodiscard]] bool hasIrradiance() const { return irradiance_.bytes() > 0; }
+  /// Binds the finished map and its irradiance for map_irradiance.
+  void bindIrradiance(gpu::BindingTable& table) const;
+  [[nodiscard]] MapIrradiancePush irradiancePush(uint source) const;
+  /// Binds the finished map for map_nearest.
+  void bindNearest(gpu::BindingTable& table) const;
   /// Number of the counter that has the finished map's grid levels.
   [[nodiscard]] uint levelsCounter() const { return counter(kMapLevels); }
   /// Binds the finished map for map_lookup.
@@ -43,6 +50,8 @@ class PhotonMap {
   [[nodiscard]] uint overflow(std::span<const uint> counters) const { return counters[counter(kMapOverflow)]; }
   /// Reads what the pass counted, after the device is done with it.
   [[nodiscard]] PhotonMapCounts readCounts(const Stage& stage, float fluxScale) const;
+  /// The photons of a finished map, render space, after the device is done with it.
+  [[nodiscard]] std::vector<MapPoint> readPoints(const Stage& stage) const;
   [[nodiscard]] std::uint64_t bytes() const;
 
  private:
@@ -50,12 +59,23 @@ class PhotonMap {
   void countStored(const Stage& stage) const;
   void controlByCells(const Stage& stage, gpu::BindingTable& table);
   void controlByProbability(const Stage& stage, gpu::BindingTable& table, const StorageRule& rule);
-  void controlByQuota(const Stage& stage, gpu::BindingTable& table, const ImportanceMap& importance, uint receivers);
+  void controlByQuota(const Stage& stage, gpu::BindingTable& table, const ImportanceMap& importance, const StorageRule& rule);
   void buildStoredGrid(const Stage& stage, const ImportanceMap& importance, bool isFinished);
   [[nodiscard]] uint counter(uint which) const;
 
+  /// Every photon at each of `levels`, so that a search for the nearest finds them at any density.
+  struct NearestGrid {
+    PointGrid grid;
+    gpu::Buffer flux;
+    uint levels = 0, photons = 0;
+  };
+  void buildNearestGrid(const Stage& stage, uint nearest);
+
   MapKind kind_;
   std::uint64_t capacity_;
+  std::optional<NearestGrid> nearest_;
+  gpu::Buffer irradiance_;
+  bool isIrradianceAtPhotons_ = false;
   bool hasStored_ = false, hasCells_ = false, isThinned_ = false;
   gpu::Buffer points_, flux_, mapFlux_, totals_, cells_, slots_;
   PointGrid stored_, batch_;

@@ -14,6 +14,10 @@ enum class DensityControl { off, density, probability };
 enum class ImportanceChoice { map, differentials };
 enum class DifferentialBound { pixel, screen };  // of required density: the most that a path nearby asks for, or the sum
 enum class GatherSource { automatic, photons, cells };
+enum class Acceptance { step, cosine };              // kAccept* of shared/render_data.h
+enum class PowerShares { count, distance, direction };  // kShare*
+enum class MapLookup { radius, nearest };
+enum class IrradianceCache { off, photons, importons };  // where irradiance of the global map is precomputed
 enum class EmissionChoice { automatic, power, guided };
 
 /// Unset optionals are chosen automatically. Names follow the options of `importon render`. What decides the image
@@ -41,6 +45,14 @@ struct RenderJob {
   double causticDensity = 20, globalDensity = 1.5;  // M_r, photons per pixel footprint
   std::optional<double> constantDensity;     // photons/m², the same everywhere
   std::optional<int> redistribute;           // M'; unset: to the photon of its cell
+  Acceptance acceptance = Acceptance::step;      // of the rank quota, which --redistribute chooses
+  PowerShares shares = PowerShares::count;
+  std::optional<int> quota;                  // Q: photons within a quota radius
+  bool hasProgramLimits = false;             // density limits of the talk's author's program
+  MapLookup lookup = MapLookup::radius;
+  IrradianceCache irradiance = IrradianceCache::off;
+  std::optional<int> lookupPhotons;          // M of a lookup, in both maps
+  std::optional<int> nearestImportons;       // M of the importance estimate
   std::optional<int> gather;                 // final gather rays per pixel and pass
   bool filtersIndirect = true;               // --indirect-filter auto, off
   int maxDepth = 16;                         // scattering events

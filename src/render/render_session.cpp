@@ -11,6 +11,7 @@
 #include "render/error_estimate.h"
 #include "render/features.h"
 #include "render/photon_pass.h"
+#include "render/point_layer.h"
 #include "shared/bindings.h"
 #include "shared/ray_data.h"
 
@@ -21,17 +22,10 @@ using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
+bool isPointLayer(const std::string& name) { return name.starts_with("importons.") || name.starts_with("photons."); }
+
 constexpr int kCausticBins = 128, kGlobalBins = 16;  // of a guide, along both axes of a light's unit square
 constexpr double kLeastGain = 1.5;                  // learned, from which on global photons are guided
-
-/// m², of one side.
-double surfaceArea(const Scene& scene) {
-  double area = 0;
-  for (const Triangle& t : scene.triangles)
-    area += 0.5 * glm::length(glm::cross(scene.positions[t.v1] - scene.positions[t.v0],
-                                         scene.positions[t.v2] - scene.positions[t.v0]));
-  return area;
-}
 
 /// Builds the BVH; a progress line when it takes long.
 Bvh buildSceneBvh(const Scene& scene, const RenderJob& job, Log& log, double& seconds) {
@@ -138,7 +132,10 @@ void RenderSession::shootPilot() {
 
 StorageRule RenderSession::storageRule(MapKind kind) const {
   const std::optional<ExpectedDensity>& expected = kind == MapKind::global ? globalExpected_ : causticExpected_;
-  return {control_, plan_.receivers, expected ? &*expected : nullptr, static_cast<float>(job_.probabilityFloor)};
+  StorageRule rule = plan_.storage;
+  rule.control = control_;
+  rule.expected = expected ? &*expected : nullptr;
+  return rule;
 }
 
 void RenderSession::updateGuides() {
@@ -213,7 +210,10 @@ void RenderSession::shootGlobalPhotons(bool isFirst) {
     if (irradiance_ && isFirst) irradiance_->addBatch(*stage_);
     if (globalMap_) globalMap_->addBatch(*stage_, importance_.global, storageRule(MapKind::global));
   });
-  if (globalMap_) globalMap_->finish(*stage_, importance_.global);
+  if (!globalMap_) return;
+  globalMap_->finish(*stage_, importance_.global, plan_.nearestPhotons);
+  if (job_.irradiance != IrradianceCache::off)
+    globalMap_->estimateIrradiance(*stage_, importance_.global, job_.irradiance == IrradianceCache::photons);
 }
 
 void RenderSession::shootCausticPhotons(bool isFirst) {
@@ -223,7 +223,7 @@ void RenderSession::shootCausticPhotons(bool isFirst) {
   shootBatches(MapKind::caustic, causticGuide_ ? &*causticGuide_ : nullptr, isLearning, [&] {
     causticMap_->addBatch(*stage_, importance_.caustic, storageRule(MapKind::caustic));
   });
-  causticMap_->finish(*stage_, importance_.caustic);
+  causticMap_->finish(*stage_, importance_.caustic, plan_.nearestPhotons);
 }
 
 EyeMaps RenderSession::eyeMaps() const {
@@ -310,7 +310,21 @@ void RenderSession::addAovs(Image& image, const FilmLayers& layers) {
     buffer.downloadBytes(std::as_writable_bytes(
         std::span(values).subspan(std::size_t{tile.first} * kAovFloats, std::size_t{tile.count} * kAovFloats)));
   }
-  addAovLayers(image, job_.aovs, layers, values, scene_.worldFromRender);
+  std::vector<std::string> others;
+  for (const std::string& name : job_.aovs) {
+    if (isPointLayer(name)) image.channels.push_back({name + ".Y", pointLayer(name, values)});
+    else others.push_back(name);
+  }
+  addAovLayers(image, others, layers, values, scene_.worldFromRender);
+}
+
+std::vector<float> RenderSession::pointLayer(const std::string& name, std::span<const float> aovs) const {
+  const bool isGlobal = name.ends_with("global");
+  const std::optional<PhotonMap>& map = isGlobal ? globalMap_ : causticMap_;
+  if (!map) return std::vector<float>(pixels());
+  if (name.starts_with("photons")) return countPoints(map->readPoints(*stage_), 1, parameters_, aovs);
+  const ImportanceMap& importons = isGlobal ? importance_.global : importance_.caustic;
+  return countPoints(importons.readPoints(), static_cast<float>(kImportonsPerSite), parameters_, aovs);
 }
 
 void RenderSession::finishStats(int passes) {

@@ -91,6 +91,8 @@ class RenderSession {
   void addCounts(PhotonMapStats& stats, const PhotonMapCounts& counts, const char* map);
   [[nodiscard]] EyeMaps eyeMaps() const;
   void addAovs(Image& image, const FilmLayers& layers);
+  /// Photons or importons within each pixel, by the name of their layer; 0 without a map.
+  [[nodiscard]] std::vector<float> pointLayer(const std::string& name, std::span<const float> aovs) const;
 
   const RenderJob& job_;
   const Scene& scene_;

@@ -9,6 +9,8 @@ namespace importon {
 
 /// The page of converge (converge_page.html), with a mark where its data goes.
 extern const std::string_view kConvergePage;
+/// The page of study (study_page.html), alike.
+extern const std::string_view kStudyPage;
 
 /// "data:image/png;base64,...".
 [[nodiscard]] std::string dataUri(const PngPixels& pixels);

@@ -97,6 +97,22 @@ TEST_F(DensityControlTest, ByQuotaStoresTheRequiredDensityInBatchesOfAnySize) {
   }
 }
 
+// The ramp turns hits away below the required density too, the program's limits none among the first few.
+TEST_F(DensityControlTest, ByCosineStoresLessThanByStep) {
+  const Scene scene = plane();
+  RenderJob job = planeJob(4000);
+  job.photonBatch = 1u << 15;
+  test::MapRig rig(context(), scene, job);
+  const auto stored = [&](uint acceptance, uint fewest) {
+    const StorageRule rule{DensityControl::density, 1, nullptr, 0, acceptance, kShareEqual, fewest};
+    return static_cast<double>(rig.counts(rig.shoot(MapKind::global, rule)).stored);
+  };
+  const double step = stored(kAcceptStep, 0), cosine = stored(kAcceptCosine, 0);
+  EXPECT_LT(cosine, 0.95 * step);
+  EXPECT_GT(cosine, 0.5 * step);
+  EXPECT_GT(stored(kAcceptCosine, 3), cosine);
+}
+
 TEST_F(DensityControlTest, FollowsImportance) {
   const Scene scene = plane();
   RenderJob job = planeJob(0);

@@ -1,7 +1,9 @@
 #include "method/map_rig.h"
 
 #include <algorithm>
+#include <bit>
 
+#include "render/eye_pass.h"
 #include "shared/bindings.h"
 
 namespace importon::test {
@@ -53,15 +55,42 @@ PhotonMap MapRig::shoot(MapKind kind, const StorageRule& rule, std::uint64_t cap
     tracePhotons(*stage_, {kind, nullptr}, first, std::min(plan.batch, plan.photons - first), parameters.maxDepth);
     map.addBatch(*stage_, required, rule);
   }
-  map.finish(*stage_, required);
+  map.finish(*stage_, required, plan.nearestPhotons);
   recorder_->submitAndWait();
   return map;
 }
 
 std::vector<MapPoint> MapRig::photons(const PhotonMap& map) const {
+  return map.readPoints(*stage_);
+}
+
+namespace {
+
+/// Lib/flux.glsl's unpackFlux.
+vec3 unpackFlux(uvec2 p) {
+  const uvec3 bits(p.x & 0x1FFFFFu, (p.x >> 21) | ((p.y & 0x3FFu) << 11), p.y >> 10);
+  return vec3(std::bit_cast<float>(bits.x << 10), std::bit_cast<float>(bits.y << 10), std::bit_cast<float>(bits.z << 10));
+}
+
+}  // namespace
+
+std::vector<vec3> MapRig::flux(const PhotonMap& map) const {
   gpu::BindingTable table;
   map.bindFinished(table);
-  return table.get(kBindingStoredPoints)->download<MapPoint>(counts(map).stored);
+  std::vector<vec3> flux;
+  for (const uvec2 packed : table.get(kBindingMapFlux)->download<uvec2>(counts(map).stored)) flux.push_back(unpackFlux(packed));
+  return flux;
+}
+
+std::vector<float> MapRig::aovs(const PhotonMap& global) {
+  const uint pixels = parameters.width * parameters.height;
+  const gpu::Buffer buffer(context_, "AOVs", std::uint64_t{pixels} * kAovFloats * sizeof(float));
+  EyeMaps maps;
+  maps.importance = &importance;
+  maps.global = &global;
+  traceAovs(*stage_, maps, 0, pixels, buffer);
+  recorder_->submitAndWait();
+  return buffer.download<float>(std::uint64_t{pixels} * kAovFloats);
 }
 
 }  // namespace importon::test

@@ -29,7 +29,7 @@ class MapRig {
   void findImportance();
   [[nodiscard]] ImportonsFound importons(MapKind kind) const;
   /// Shoots the plan's photons into a map of `capacity` photons (0: the plan's).
-  [[nodiscard]] PhotonMap shoot(MapKind kind, const StorageRule& rule, std::uint64_t capacity = 0);
+  [[nodiscard]] PhotonMap shoot(MapKind kind, const StorageRule& rule, std::uint64_t capacity = 0);  // finished for plan.nearestPhotons
   [[nodiscard]] PhotonMap shoot(MapKind kind, DensityControl control, uint receivers, std::uint64_t capacity = 0) {
     return shoot(kind, {control, receivers}, capacity);
   }
@@ -38,6 +38,10 @@ class MapRig {
   [[nodiscard]] PhotonMapCounts counts(const PhotonMap& map) const { return map.readCounts(*stage_, parameters.fluxScale); }
   /// The photons of a finished map, render space.
   [[nodiscard]] std::vector<MapPoint> photons(const PhotonMap& map) const;
+  /// Their flux, W, in the same order.
+  [[nodiscard]] std::vector<vec3> flux(const PhotonMap& map) const;
+  /// kAovFloats of each pixel, with the finished global map.
+  [[nodiscard]] std::vector<float> aovs(const PhotonMap& global);
 
  private:
   FeatureSet features_;

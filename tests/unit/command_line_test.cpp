@@ -55,6 +55,31 @@ TEST(CommandLine, RendersWithoutTheWord) {
   EXPECT_EQ(parseRender("--output=room.exr room.gltf").job.output, "room.exr");
 }
 
+TEST(CommandLine, TalkSetsWhatIsNotGiven) {
+  const RenderJob talk = parseRender("a.gltf -o o.exr --talk").job;
+  EXPECT_EQ(talk.importons, 80'000u);
+  EXPECT_EQ(talk.redistribute, 20);
+  EXPECT_EQ(talk.lookup, MapLookup::nearest);
+  EXPECT_EQ(talk.lookupPhotons, 80);
+  EXPECT_EQ(talk.emission, EmissionChoice::power);
+  EXPECT_TRUE(talk.hasProgramLimits);
+  EXPECT_FALSE(talk.filtersIndirect);
+  const RenderJob other = parseRender("a.gltf --redistribute 4 -o o.exr --talk --lookup radius --max-depth 16").job;
+  EXPECT_EQ(other.redistribute, 4);
+  EXPECT_EQ(other.lookup, MapLookup::radius);
+  EXPECT_EQ(other.maxDepth, 16);
+  EXPECT_EQ(other.importons, 80'000u);
+}
+
+TEST(CommandLine, OptionsOfTheQuotaNeedReceivers) {
+  for (const std::string option : {"--acceptance cosine", "--shares distance", "--quota 20", "--density-limits program"})
+    EXPECT_NE(refusal("a.gltf -o o.exr " + option).find("needs --redistribute"), std::string::npos) << option;
+  const RenderJob job = parseRender("a.gltf -o o.exr --redistribute 8 --acceptance cosine --shares direction --quota 20").job;
+  EXPECT_EQ(job.acceptance, Acceptance::cosine);
+  EXPECT_EQ(job.shares, PowerShares::direction);
+  EXPECT_EQ(job.quota, 20);
+}
+
 TEST(CommandLine, TakesProbabilityOnlyWithItsControl) {
   const RenderCommand command = parseRender("a.gltf -o o.exr --control probability --probability-floor 0.1");
   EXPECT_EQ(command.job.control, DensityControl::probability);

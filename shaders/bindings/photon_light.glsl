@@ -1,0 +1,21 @@
+// Light of a photon of the finished map, reflected towards a path.
+#ifndef IMPORTON_BINDINGS_PHOTON_LIGHT_GLSL
+#define IMPORTON_BINDINGS_PHOTON_LIGHT_GLSL
+#include "bindings/stored.glsl"
+#include "lib/bsdf.glsl"
+#include "lib/flux.glsl"
+
+layout(binding = kBindingMapFlux) uniform usamplerBuffer mapFlux;
+
+/// BSDF times flux, W/sr; to be divided by the area that the photons are taken from.
+vec3 photonLight(Surface s, Bsdf b, vec3 wo, mat3 frame, uint photon, uint packed) {
+  const vec3 towardsLight = mapPointDirection(packed);
+  float pdf;
+  // Photons count flux per area of the true surface; the BSDF's cosine is the shading normal's. The bound holds
+  // where the two differ: without it one grazing photon could outshine all others.
+  const vec3 wi = towardsLight * frame;
+  const float cosine = max(abs(dot(towardsLight, s.geometricNormal)), min(abs(wi.z), 0.05));
+  return evalBsdf(b, wo, wi, pdf) / max(cosine, 1e-6) * unpackFlux(texelFetch(mapFlux, int(photon)).xy);
+}
+
+#endif

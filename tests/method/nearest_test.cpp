@@ -1,0 +1,101 @@
+// Lookups of the nearest photons, and pictures of photons, against a search through all of them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "method/map_rig.h"
+#include "render/point_layer.h"
+#include "support/gpu_test.h"
+#include "support/scene_builder.h"
+
+namespace importon {
+namespace {
+
+using test::SceneBuilder;
+
+constexpr float kAlbedo = 0.5f;
+
+/// A plane in even light with a bright spot: densities of 1 : 100.
+Scene plane() {
+  SceneBuilder builder;
+  builder.square(builder.material(test::diffuse(vec3(kAlbedo))), {0, 0, 0}, {0, 1, 0}, 2);
+  builder.directionalLight({0, -1, 0}, vec3(0.1f));
+  builder.spotLight({0.1, 1, 0}, {0, -1, 0}, vec3(30), 0.099, 0.1);
+  builder.camera({0, 2, 0}, {0, 0, 0}, 0.5, 24, 24, {0, 0, -1});
+  return builder.finish();
+}
+
+class NearestPhotons : public test::GpuTest {};
+
+/// The talk's estimate by brute force: flux of the M-1 nearest over the disc of the M-th.
+double radianceAt(vec3 position, const std::vector<MapPoint>& photons, const std::vector<vec3>& flux, std::size_t nearest) {
+  std::vector<std::pair<float, float>> byDistance;
+  for (std::size_t i = 0; i < photons.size(); ++i) {
+    const vec3 offset = photons[i].position - position;
+    byDistance.emplace_back(glm::dot(offset, offset), flux[i].x);
+  }
+  const auto last = byDistance.begin() + static_cast<std::ptrdiff_t>(nearest);
+  std::partial_sort(byDistance.begin(), last, byDistance.end());
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < nearest; ++i) sum += byDistance[i].second;
+  return sum * kAlbedo / M_PI / (M_PI * byDistance[nearest - 1].first);
+}
+
+TEST_F(NearestPhotons, AreThoseOfASearchThroughAll) {
+  const Scene scene = plane();
+  RenderJob job;
+  job.passes = 1;
+  job.photons = 1u << 14;
+  job.importons = 1u << 10;
+  job.maxDepth = 1;
+  job.lookup = MapLookup::nearest;
+  job.lookupPhotons = 30;
+  test::MapRig rig(context(), scene, job);
+  const PhotonMap map = rig.shoot(MapKind::global, DensityControl::off, 0);
+  const std::vector<float> aovs = rig.aovs(map);
+  const std::vector<MapPoint> photons = rig.photons(map);
+  const std::vector<vec3> flux = rig.flux(map);
+  int compared = 0;
+  for (std::size_t at = 0; at < aovs.size(); at += 7 * kAovFloats) {
+    const vec3 position(aovs[at + kAovPosition], aovs[at + kAovPosition + 1], aovs[at + kAovPosition + 2]);
+    const double expected = radianceAt(position, photons, flux, 30);
+    EXPECT_NEAR(aovs[at + kAovMapLight + 3] / expected, 1, 1e-3) << "at " << position.x << ", " << position.z;
+    ++compared;
+  }
+  EXPECT_GT(compared, 80);
+}
+
+TEST_F(NearestPhotons, OfAnEmptyMapAreNone) {
+  const Scene scene = plane();
+  RenderJob job;
+  job.passes = 1;
+  job.photons = 1;
+  job.importons = 1u << 10;
+  job.lookup = MapLookup::nearest;
+  test::MapRig rig(context(), scene, job);
+  for (const float value : rig.aovs(rig.shoot(MapKind::global, DensityControl::off, 0)))
+    EXPECT_FALSE(std::isnan(value));
+}
+
+TEST_F(NearestPhotons, PicturesCountEveryPhotonInView) {
+  const Scene scene = plane();
+  RenderJob job;
+  job.passes = 1;
+  job.photons = 1u << 14;
+  job.importons = 1u << 10;
+  job.maxDepth = 1;
+  test::MapRig rig(context(), scene, job);
+  const PhotonMap map = rig.shoot(MapKind::global, DensityControl::off, 0);
+  const std::vector<MapPoint> photons = rig.photons(map);
+  const std::vector<float> counts = countPoints(photons, 2, rig.parameters, rig.aovs(map));
+  const double half = 2 * std::tan(0.25);
+  double inView = 0, counted = 0;
+  for (const MapPoint& p : photons) inView += std::max(std::abs(p.position.x), std::abs(p.position.z)) < half ? 1 : 0;
+  for (const float count : counts) counted += count;
+  EXPECT_GT(inView, 1000);
+  EXPECT_NEAR(counted, 2 * inView, 2);  // rounding at the edge
+}
+
+}  // namespace
+}  // namespace importon
