@@ -115,6 +115,18 @@ gpu::Buffer buffer(gpu::Context& context, const char* name, const std::vector<T>
   return gpu::makeBuffer<T>(context, name, data.empty() ? placeholder : data, format);
 }
 
+/// Shares of the photons without a guide: by power, but a part of them evenly, so that a light beside a much stronger one
+/// still gets photons where only it shines.
+std::vector<double> emissionWeights(const Scene& scene) {
+  constexpr double kEvenShare = 0.05;
+  double sum = 0;
+  for (const Light& light : scene.lights) sum += light.power;
+  std::vector<double> weights;
+  for (const Light& light : scene.lights)
+    weights.push_back((1 - kEvenShare) * light.power + kEvenShare * sum / static_cast<double>(scene.lights.size()));
+  return weights;
+}
+
 }  // namespace
 
 std::vector<LightAlias> makeAliasTable(const std::vector<double>& weights) {
@@ -144,8 +156,6 @@ std::vector<LightAlias> makeAliasTable(const std::vector<double>& weights) {
 
 DeviceScene uploadScene(gpu::Context& context, const Scene& scene, const Bvh& bvh) {
   static_assert(sizeof(Material) == kMaterialTexels * 16 && sizeof(Triangle) == 16, "read as whole texels");
-  std::vector<double> powers;
-  for (const Light& light : scene.lights) powers.push_back(light.power);
   DeviceScene d;
   d.bvh = buffer(context, "BVH", bvh.nodes, TexelFormat::uint4);
   d.vertices = buffer(context, "vertices", packVertices(scene), TexelFormat::uint4);
@@ -155,7 +165,7 @@ DeviceScene uploadScene(gpu::Context& context, const Scene& scene, const Bvh& bv
   d.texels = buffer(context, "texels", scene.texels, TexelFormat::uint1);
   d.lights = buffer(context, "lights", packLights(scene), TexelFormat::uint4);
   d.lightTree = buffer(context, "light tree", packLightTree(scene), TexelFormat::uint4);
-  d.lightAlias = buffer(context, "light alias table", makeAliasTable(powers));
+  d.lightAlias = buffer(context, "light alias table", makeAliasTable(emissionWeights(scene)));
   d.lightOfTriangle = buffer(context, "light of triangle", scene.lightOfTriangle, TexelFormat::uint1);
   d.albedo = gpu::makeBuffer(context, "directional albedo", albedoTable(), TexelFormat::uint1);
   const EnvironmentMap black{1, 1, {vec3(0.0f)}};

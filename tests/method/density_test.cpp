@@ -8,6 +8,7 @@
 #include "method/map_rig.h"
 #include "method/render_scene.h"
 #include "support/gpu_test.h"
+#include "support/stability.h"
 #include "support/scene_builder.h"
 
 namespace importon {
@@ -62,6 +63,7 @@ TEST_P(DensityControlBy, StoresTheRequiredDensityEverywhere) {
 }
 
 TEST_F(DensityControlTest, ByCellsStoresTheSamePhotonsInBatchesOfAnySize) {
+  test::StabilityCase listed(29, "batches of 2^10 to all photons", "the same photons");
   const Scene scene = plane();
   std::vector<MapPoint> first;
   const auto byPlace = [](const MapPoint& a, const MapPoint& b) {
@@ -79,6 +81,7 @@ TEST_F(DensityControlTest, ByCellsStoresTheSamePhotonsInBatchesOfAnySize) {
     ASSERT_EQ(photons.size(), first.size()) << "batches of " << batch;
     for (std::size_t i = 0; i < photons.size(); ++i) ASSERT_EQ(photons[i].position, first[i].position);
   }
+  listed.note("equal", 1);
 }
 
 // One batch counts all hits before a hit, so it stores D_r; many small ones count stored photons only, and fill the
@@ -171,6 +174,7 @@ TEST_F(DensityControlTest, KeepsAllPowerWhereMemoryIsShort) {
 }
 
 TEST_F(DensityControlTest, OfAnImmenseDensityGivesTheUncontrolledImageBitForBit) {
+  test::StabilityCase listed(27, "required density without bound", "the uncontrolled image");
   const Scene room = litRoom();
   RenderJob job = planeJob(0, 1u << 13);
   job.passes = 4;
@@ -182,9 +186,11 @@ TEST_F(DensityControlTest, OfAnImmenseDensityGivesTheUncontrolledImageBitForBit)
   ASSERT_EQ(controlled.stats.global.redistributed, 0u);
   EXPECT_GT(test::meanOf(uncontrolled), 0);
   for (const char* name : {"R", "G", "B"}) EXPECT_EQ(test::channel(controlled, name), test::channel(uncontrolled, name));
+  listed.note("the same bits", 1);
 }
 
 TEST_F(DensityControlTest, OfAVanishingDensityKeepsAllPowerAndStaysFinite) {
+  test::StabilityCase listed(28, "required density 0", "power kept, finite");
   const Scene scene = litRoom();
   RenderJob job = planeJob(1e-30, 1u << 14);
   const RenderResult result = test::renderScene(scene, job);
@@ -192,6 +198,7 @@ TEST_F(DensityControlTest, OfAVanishingDensityKeepsAllPowerAndStaysFinite) {
   EXPECT_GT(result.stats.global.redistributed, result.stats.global.stored * 100);
   for (const char* name : {"R", "G", "B"})
     for (const float v : test::channel(result, name)) ASSERT_TRUE(std::isfinite(v) && v >= 0);
+  listed.note("equal", 1);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "method/list_stage.h"
 #include "shared/bindings.h"
+#include "support/stability.h"
 #include "test_kernels/registry.h"
 
 namespace importon {
@@ -183,8 +184,10 @@ TEST_F(Grid, FindsAllPointsInDenseUniformPoints) {
 }
 
 TEST_F(Grid, CountsNothingTwiceWhereAllCellsCollide) {
+  test::StabilityCase listed(31, "the hash table forced to one slot", "no double counting");
   const auto points = clusters(100, 100, 1e-2, 1, 5);
   EXPECT_GT(expectAsByBruteForce(points, searchesNear(points, 300, 6), 64), 1000u);
+  listed.note("equal to brute force", 1);
 }
 
 TEST_F(Grid, HoldsAtTheFinestAndTheCoarsestLevel) {
@@ -223,6 +226,7 @@ struct Radius {
 class SearchRadius : public test::GpuTest {};
 
 TEST_F(SearchRadius, StaysWithinWhatTheGridSearchesForAnyDensity) {
+  test::StabilityCase listed(34, "lookup radii for densities 0 to infinity", "finite, within the grid");
   constexpr float kInf = std::numeric_limits<float>::infinity();
   std::vector<Wish> wishes;
   for (const float density : {0.0f, 1e-38f, 1e-30f, 1e-6f, 1.0f, 1e6f, 1e15f, 1e30f, 3e38f, kInf})
@@ -236,6 +240,7 @@ TEST_F(SearchRadius, StaysWithinWhatTheGridSearchesForAnyDensity) {
     EXPECT_GE(radii[i].edge, 1.333f * radii[i].radius) << "cells of that level are too small";
     if (radii[i].level < 20) { EXPECT_LE(radii[i].edge, 2.667f * radii[i].radius) << "a finer level would do"; }
   }
+  listed.note("within", 1);
 }
 
 TEST_F(SearchRadius, HoldsThePhotonsAtTheDensity) {

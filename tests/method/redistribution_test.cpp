@@ -5,6 +5,7 @@
 
 #include "method/map_rig.h"
 #include "support/gpu_test.h"
+#include "support/stability.h"
 #include "support/scene_builder.h"
 
 namespace importon {
@@ -129,6 +130,7 @@ TEST_F(Redistribution, ByDistanceSpreadsPowerLess) {
 }
 
 TEST_F(Redistribution, AddsAMillionTimesToOnePhotonExactly) {
+  test::StabilityCase listed(32, "1e6 redistributions into one photon", "exact");
   const Scene scene = beam();
   RenderJob many = job(1'100'000, 1e-3);
   many.maxDepth = 1;
@@ -141,6 +143,7 @@ TEST_F(Redistribution, AddsAMillionTimesToOnePhotonExactly) {
     EXPECT_TRUE(counts.isEnergyExact);
     EXPECT_NEAR(counts.fluxMap[0] / counts.fluxMap[2], 3, 1e-4);
   }
+  listed.note("equal", 1);
 }
 
 TEST_F(Redistribution, GivesTheSameMapInAnyBatches) {

@@ -53,6 +53,7 @@ Scene reliefUnderGlass() {
 
 /// Case 7.
 TEST_F(Adjoint, PhotonsBringWhatPathsFindThroughGlassOverTexturesAndNormalMaps) {
+  const StabilityCase listed(7, "photons against paths over glass, textures and normal maps", "the same mean");
   const Scene scene = reliefUnderGlass();
   RenderJob path = makeJob(Integrator::path, 1);
   path.gather = 128;

@@ -22,6 +22,7 @@ SceneBuilder litFloor(int size = kSize) {
 }
 
 TEST_F(Extreme, FewPhotonsGiveFiniteImages) {
+  const StabilityCase listed(40, "0 to 3 photons in a map", "finite");
   const Scene scene = litFloor().finish();
   for (const std::uint32_t photons : {1u, 2u, 3u}) {
     for (const DensityControl control : {DensityControl::off, DensityControl::density}) {
@@ -46,6 +47,7 @@ TEST_F(Extreme, OnePixelIsTheMeanOfMany) {
 }
 
 TEST_F(Extreme, OnePassSeesTheSky) {
+  StabilityCase listed(25, "the camera sees only sky", "right image, no importons");
   SceneBuilder builder;
   builder.square(builder.material(diffuse(vec3(0.5f))), {0, 0, 0}, {0, 1, 0}, 2);
   builder.environment(vec3(0.25f, 0.5f, 0.75f));
@@ -56,10 +58,12 @@ TEST_F(Extreme, OnePassSeesTheSky) {
     EXPECT_EQ(std::ranges::minmax(valuesOf(r.image, "B")).max, 0.75f);
     EXPECT_EQ(r.stats.importonsGlobal + r.stats.importonsCaustic, 0u);
   }
+  listed.note("exact", 1);
 }
 
 /// Case 41: a camera that stands exactly on a floor, or on a wall of glass.
 TEST_F(Extreme, CameraOnASurfaceGivesAFiniteImage) {
+  const StabilityCase listed(41, "camera on a surface", "finite");
   for (const Integrator integrator : {Integrator::path, Integrator::photon}) {
     SceneBuilder onFloor;
     onFloor.square(onFloor.material(diffuse(vec3(0.5f))), {0, 0, 0}, {0, 1, 0}, 4);
@@ -73,10 +77,12 @@ TEST_F(Extreme, CameraOnASurfaceGivesAFiniteImage) {
 }
 
 TEST_F(Extreme, EmitterThatFillsTheViewIsItsRadiance) {
+  StabilityCase listed(25, "the camera sees only an emitter", "its radiance");
   SceneBuilder builder = litFloor();
   builder.square(builder.material(emitter(vec3(7.0f))), {0, 1.2, 1.2}, {0, 1, 1}, 2);
   for (const Integrator integrator : {Integrator::path, Integrator::photon})
     EXPECT_TRUE(isConstant(renderScene(makeJob(integrator, 2), builder.finish()).image, 7, 0));
+  listed.note("exact", 1);
 }
 
 TEST_F(Extreme, ScenesWithoutLightsAreBlack) {
@@ -115,6 +121,7 @@ TEST_F(Extreme, FiltersSpreadLightButKeepIt) {
 
 /// All photons of a narrow beam fall in one place.
 TEST_F(Extreme, BeamKeepsItsPower) {
+  const StabilityCase listed(19, "a collimated beam", "power exact");
   SceneBuilder builder;
   builder.square(builder.material(diffuse(vec3(0.5f))), {0, 0, 0}, {0, 1, 0}, 4);
   builder.square(builder.material(diffuse(vec3(0.5f))), {0, 1.5, 0}, {0, -1, 0}, 4);
@@ -143,15 +150,18 @@ Scene roomsApart() {
 }
 
 TEST_F(Extreme, ThinWallKeepsLightOut) {
+  StabilityCase listed(13, "a wall 1e-5 of the scene thick", "the dark side exactly 0");
   for (const Integrator integrator : {Integrator::path, Integrator::photon}) {
     const Rendered r = renderScene(makeJob(integrator, 4), roomsApart());
     EXPECT_EQ(r.stats.global.hits > 0, integrator == Integrator::photon);
     for (const float value : valuesOf(r.image)) ASSERT_EQ(value, 0.0f);
   }
+  listed.note("0 in every pixel", 1);
 }
 
 /// A floor in light that grazes it.
 TEST_F(Extreme, GrazingCausticLightKeepsItsMean) {
+  const StabilityCase listed(20, "caustic light at 88.9 degrees", "its mean");
   SceneBuilder builder;
   builder.square(builder.material(diffuse(vec3(1.0f))), {0, 0, 0}, {0, 1, 0}, 4);
   builder.box(builder.material(glass(1.0f)), {-3, -1, -3}, {3, 1, 3}, Facing::outside);

@@ -60,10 +60,12 @@ Moments hitFluxOverSeeds(const RenderJob& job, const Scene& scene) {
 }
 
 TEST_F(Flux, OfAllHitsInClosedRoomIsPowerOverAbsorption) {
+  const StabilityCase listed(4, "power of all photon hits in a closed room", "power / (1 - albedo)");
   EXPECT_TRUE(hasMean(hitFluxOverSeeds(photonJob(), litSphere()), 12 / (1 - kAlbedo)));
 }
 
 TEST_F(Flux, OfTheMapIsThatOfItsHitsToTheLastBit) {
+  StabilityCase listed(4, "power of the map against that of its hits", "equal, to the last bit");
   const Scene scene = litSphere();
   for (const DensityControl control : {DensityControl::off, DensityControl::density}) {
     for (const std::optional<int> receivers : {std::optional<int>(), std::optional(1), std::optional(4), std::optional(20)}) {
@@ -84,9 +86,11 @@ TEST_F(Flux, OfTheMapIsThatOfItsHitsToTheLastBit) {
       if (control == DensityControl::off) break;
     }
   }
+  listed.note("equal", 1);
 }
 
 TEST_F(Flux, DoesNotDependOnBatches) {
+  StabilityCase listed(29, "photons in batches of other sizes", "the same photons and power");
   const Scene scene = litSphere();
   RenderJob job = photonJob();
   const PhotonMapStats whole = renderScene(job, scene).stats.global;
@@ -95,9 +99,11 @@ TEST_F(Flux, DoesNotDependOnBatches) {
   EXPECT_EQ(whole.fluxHits, split.fluxHits);
   EXPECT_EQ(whole.hits, split.hits);
   EXPECT_EQ(whole.stored, split.stored);  // case 29
+  listed.note("equal", 1);
 }
 
 TEST_F(Flux, OnWallsOfSphereGivesTheirRadiance) {
+  const StabilityCase listed(3, "point light in a diffuse sphere", "E = power / (4 pi R² (1 - albedo))");
   const Scene scene = litSphere(4);
   const double expected = kAlbedo / kPi * 12 / (areaOf(scene) * (1 - kAlbedo));
   EXPECT_TRUE(hasMean(meanOverSeeds(photonJob(2), scene, 6), expected, 2));
@@ -151,13 +157,16 @@ TEST_F(Flux, OfEveryEmissionIsItsPower) {
 }
 
 TEST_F(Flux, HasNoCausticMapWithoutSpecularSurfaces) {
+  StabilityCase listed(26, "no specular surface", "no caustic map");
   const Rendered r = renderScene(photonJob(), litSphere());
   EXPECT_EQ(r.stats.caustic.hits, 0u);
   for (const std::string& feature : r.stats.features) EXPECT_NE(feature, "caustic map");
   for (const KernelStats& kernel : r.stats.kernels) EXPECT_EQ(kernel.label.find("caustic"), std::string::npos);
+  listed.note("none", 1);
 }
 
 TEST_F(Flux, OfInfiniteRequiredDensityIsTheUncontrolledMap) {
+  const StabilityCase listed(27, "required density without bound", "the uncontrolled map, bit for bit");
   const Scene scene = litSphere();
   RenderJob job = photonJob();
   job.gatherFrom = GatherSource::photons;

@@ -30,13 +30,16 @@ Image throughBall(double distance) {
 /// Case 17: rays near the axis meet n / (2 (n - 1)) = 1.5 radii behind the centre. There, all see the emitter,
 /// but for what the two surfaces turn back; half-way to the ball a square of a fifth of the side does.
 TEST_F(Focus, OfGlassBallLiesThreeQuartersOfItsDiameterBehindTheCentre) {
+  StabilityCase listed(17, "a glass ball, index 1.5", "paraxial focus at 0.75 diameters");
   EXPECT_TRUE(hasMean(momentsOf(valuesOf(throughBall(1.5))), 0.96 * 0.96));
   EXPECT_LT(meanOf(throughBall(1.25)), 0.9 * 0.96 * 0.96);
   EXPECT_LT(meanOf(throughBall(1.75)), 0.9 * 0.96 * 0.96);
+  listed.note("there", 1);
 }
 
 /// Case 18: an ellipsoid mirror sends all light of one focus to the other one, where a speck catches it.
 TEST_F(Focus, OfEllipsoidMirrorKeepsPowerInOnePoint) {
+  const StabilityCase listed(18, "ellipsoid mirror, light in a focus", "finite, power exact");
   SceneBuilder builder;
   builder.icosphere(builder.material(mirror()), {0, 0, 0}, 1, 5, Facing::inside, Shading::flat);
   builder.icosphere(builder.material(diffuse(vec3(0.5f))), {0.6, 0, 0}, 0.06, 1, Facing::outside,
@@ -60,6 +63,7 @@ TEST_F(Focus, OfEllipsoidMirrorKeepsPowerInOnePoint) {
 
 /// Case 21: two floors, a wall between them, and a light over each, one 1e8 times as strong.
 TEST_F(Focus, WeakLightIsSeenWhereTheStrongOneIsHidden) {
+  const StabilityCase listed(21, "lights of ratio 1 : 1e8", "the region of the weak one analytic");
   SceneBuilder builder;
   builder.square(builder.material(diffuse(vec3(1.0f))), {0, 0, 0}, {0, 1, 0}, 8);
   builder.square(builder.material(diffuse(vec3(0.0f))), {0, 0, 0}, {1, 0, 0}, 8);

@@ -41,6 +41,7 @@ RenderJob deepJob(Integrator integrator, int passes, float albedo) {
 }
 
 TEST_F(Furnace, PathTracedBoxIsUniform) {
+  const StabilityCase listed(1, "closed glowing box, by paths", "L = Le / (1 - albedo)");
   for (const float albedo : {0.5f, 0.8f}) {
     const Rendered r = renderScene(deepJob(Integrator::path, 8, albedo), glowingBox(albedo));
     EXPECT_TRUE(isImageOf(r.image, std::vector<double>(kSize * kSize, radianceOf(albedo)), 4)) << albedo;
@@ -48,6 +49,7 @@ TEST_F(Furnace, PathTracedBoxIsUniform) {
 }
 
 TEST_F(Furnace, PathTracedSphereIsUniform) {
+  const StabilityCase listed(1, "closed glowing sphere, by paths", "L = Le / (1 - albedo)");
   for (const float albedo : {0.5f, 0.8f}) {
     const Rendered r = renderScene(deepJob(Integrator::path, 8, albedo), glowingSphere(albedo));
     EXPECT_TRUE(isImageOf(r.image, std::vector<double>(kSize * kSize, radianceOf(albedo)), 4)) << albedo;
@@ -56,6 +58,7 @@ TEST_F(Furnace, PathTracedSphereIsUniform) {
 
 /// Case 2: what is cut off is the rest of the series, albedo^(depth + 1) of all.
 TEST_F(Furnace, DepthCapLosesTheRestOfTheSeries) {
+  const StabilityCase listed(2, "albedo 0.999 with a cap on depth", "short of it by albedo^depth");
   constexpr double kAlbedo = 0.999;
   RenderJob job = makeJob(Integrator::path, 1);
   for (const int depth : {1, 5, 30}) {
@@ -68,6 +71,7 @@ TEST_F(Furnace, DepthCapLosesTheRestOfTheSeries) {
 }
 
 TEST_F(Furnace, PhotonMappedSphereIsUniform) {
+  const StabilityCase listed(1, "closed glowing sphere, by photons", "L = Le / (1 - albedo)");
   for (const float albedo : {0.5f, 0.8f}) {
     const Moments means = meanOverSeeds(deepJob(Integrator::photon, 2, albedo), glowingSphere(albedo), 4);
     EXPECT_TRUE(hasMean(means, radianceOf(albedo), 2)) << albedo;

@@ -58,6 +58,7 @@ RenderJob guideJob(EmissionChoice emission) {
 }
 
 TEST_F(Guide, KeepsTheMeanFluxOfPowerEmission) {
+  const StabilityCase listed(37, "guided against power emission", "the same mean");
   const Scene scene = room();
   std::array<Moments, 2> caustic, global;
   std::array<double, 2> hits{};

@@ -29,6 +29,7 @@ SceneBuilder room(const vec3& area, const vec3& point) {
 }
 
 TEST_P(Invariance, TwiceTheLightIsTwiceTheImage) {
+  const StabilityCase listed(22, "all lights times 2", "the image times 2");
   const Image once = renderScene(job(), room(vec3(3, 2, 1), vec3(0.3f)).finish()).image;
   Image twice = renderScene(job(), room(vec3(6, 4, 2), vec3(0.6f)).finish()).image;
   for (Channel& channel : twice.channels)
@@ -37,6 +38,7 @@ TEST_P(Invariance, TwiceTheLightIsTwiceTheImage) {
 }
 
 TEST_P(Invariance, WorkgroupsOfAnySizeGiveTheSameBits) {
+  const StabilityCase listed(30, "other workgroup sizes", "the same bits");
   const Scene scene = room(vec3(3, 2, 1), vec3(0.3f)).finish();
   const Image usual = renderScene(job(), scene).image;
   for (const std::uint32_t size : {8u, 32u, 128u}) {
@@ -47,13 +49,16 @@ TEST_P(Invariance, WorkgroupsOfAnySizeGiveTheSameBits) {
 }
 
 TEST_P(Invariance, ChannelsDoNotMix) {
+  StabilityCase listed(23, "light of (1, 1e-6, 0)", "blue 0, green within 1 %");
   const Image image = renderScene(job(), room(vec3(3, 3e-6f, 0), vec3(0.3f, 0.3e-6f, 0)).finish()).image;
   for (const float blue : valuesOf(image, "B")) ASSERT_EQ(blue, 0.0f);
   EXPECT_NEAR(meanOf(image, "G") / meanOf(image, "R"), 1e-6, 1e-8);
   EXPECT_GT(meanOf(image, "R"), 0);
+  listed.note("blue 0", 1);
 }
 
 TEST_P(Invariance, ScaledSceneGivesTheSameBits) {
+  const StabilityCase listed(8, "the scene times 2^-13 to 2^20", "the same bits");
   const Image unscaled = renderScene(job(), room(vec3(3, 2, 1), vec3(0.3f)).finish()).image;
   for (const int k : {-13, -3, 6, 20}) {
     const double scale = std::ldexp(1.0, k);
@@ -64,6 +69,7 @@ TEST_P(Invariance, ScaledSceneGivesTheSameBits) {
 }
 
 TEST_P(Invariance, SameJobGivesTheSameBits) {
+  StabilityCase listed(30, "the same seed twice", "the same bits");
   const Scene scene = room(vec3(3, 2, 1), vec3(0.3f)).finish();
   const Rendered a = renderScene(job(), scene), b = renderScene(job(), scene);
   EXPECT_TRUE(haveSameBits(a.image, b.image));
@@ -71,9 +77,11 @@ TEST_P(Invariance, SameJobGivesTheSameBits) {
   RenderJob other = job();
   other.seed = 1;
   EXPECT_FALSE(haveSameBits(a.image, renderScene(other, scene).image));
+  listed.note("equal", 1);
 }
 
 TEST_P(Invariance, ThreadsDoNotChangeTheBits) {
+  const StabilityCase listed(30, "other numbers of threads", "the same bits");
   const Scene scene = room(vec3(3, 2, 1), vec3(0.3f)).finish();
   const auto renderWith = [&](const char* threads) {
     setenv("LP_NUM_THREADS", threads, 1);  // read by lavapipe for every new instance; without meaning to GPUs
@@ -101,6 +109,7 @@ TEST_P(Invariance, AllFeaturesTogetherGiveTheSameImage) {
 }
 
 TEST_P(Invariance, TwoLightsGiveTheSumOfEach) {
+  StabilityCase listed(36, "two lights, and each alone", "the sum");
   RenderJob settings = makeJob(GetParam(), GetParam() == Integrator::path ? 32 : 2);
   settings.photons = 1u << 13;
   const auto meanOfLights = [&](const vec3& area, const vec3& point, std::uint32_t seed) {
@@ -113,6 +122,7 @@ TEST_P(Invariance, TwoLightsGiveTheSumOfEach) {
     sum.add(meanOfLights(vec3(3.0f), vec3(0.0f), 100 + seed) + meanOfLights(vec3(0.0f), vec3(0.3f), 200 + seed));
   }
   EXPECT_TRUE(haveSameMean(both, sum));
+  listed.note("within 0.001 significance", 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Invariance, ::testing::Values(Integrator::path, Integrator::photon),

@@ -58,6 +58,7 @@ std::vector<glm::dvec3> discCorners(const glm::dvec3& center, const glm::dvec3& 
 }
 
 TEST_P(Irradiance, OfPointLightFallsWithTheCubeOfTheCosine) {
+  const StabilityCase listed(5, "point light over a plane", "E = I cos³ / h²");
   constexpr double kHeight = 1.5;
   SceneBuilder builder = whitePlane();
   builder.pointLight({0, kHeight, 0}, vec3(5.0f));
@@ -106,6 +107,7 @@ TEST_P(Irradiance, OfSpotAndPointLightAlikeHasNoNoise) {
 }
 
 TEST_P(Irradiance, OfDiscLightOnItsAxis) {
+  const StabilityCase listed(6, "disc light on its axis", "E = pi L R² / (R² + h²)");
   constexpr double kHeight = 1.5, kRadius = 0.8;
   for (const int segments : {48, 128}) {  // lights weighed one by one; lights chosen by power
     SceneBuilder builder = whitePlane(0.01);
@@ -126,6 +128,7 @@ TEST_P(Irradiance, OfDiscLightOnItsAxis) {
 
 /// Case 20: light and camera nearly along the plane, a tenth of a degree over it.
 TEST_P(Irradiance, OfGrazingLightSeenGrazinglyGoesWithTheCosine) {
+  const StabilityCase listed(20, "light and camera a tenth of a degree over the plane", "E cos");
   const double cosine = std::sin(0.1 * kPi / 180), sine = std::sqrt(1 - cosine * cosine);
   SceneBuilder builder;
   builder.square(builder.material(diffuse(vec3(1.0f))), {0, 0, 0}, {0, 1, 0}, 80);
@@ -137,6 +140,7 @@ TEST_P(Irradiance, OfGrazingLightSeenGrazinglyGoesWithTheCosine) {
 
 /// Case 42: a light of 1e-12 m² is a point, over which its cosine to the plane comes in twice.
 TEST_P(Irradiance, OfTinyAreaLightIsThatOfAPoint) {
+  const StabilityCase listed(42, "a light of 1e-12 m²", "that of a point");
   constexpr double kHeight = 1.5, kArea = 1e-12, kRadiance = 1e12;
   SceneBuilder builder = whitePlane();
   builder.square(builder.material(emitter(vec3(static_cast<float>(kRadiance)))), {0, kHeight, 0}, {0, -1, 0}, std::sqrt(kArea));

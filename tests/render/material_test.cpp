@@ -28,15 +28,18 @@ Scene plateBeforeLight(const Material& material) {
 /// Case 43. Reflectance 0.8 at normal incidence, whether a mirror or just not one any more; the table of
 /// directional albedo is true to 0.004.
 TEST_F(Materials, BrightnessDoesNotJumpWhereMirrorTurnsGlossy) {
+  StabilityCase listed(43, "where mirror turns to glossy", "no jump");
   for (const float roughness : {0.0f, 0.03f, 0.033f, 0.06f}) {
     const Moments values =
         momentsOf(valuesOf(renderScene(jobOf(16), plateBeforeLight(metal(vec3(0.8f), roughness))).image));
     EXPECT_NEAR(values.mean(), 0.8, 0.004 + 4 * values.standardError()) << roughness;
   }
+  listed.note("none", 1);
 }
 
 /// The rest of case 43: a white plate in uniform light is white at every roughness.
 TEST_F(Materials, WhiteMetalStaysWhiteFromMirrorToRough) {
+  const StabilityCase listed(43, "white metal, roughness 0 to 1", "white");
   for (const float roughness : {0.0f, 0.2f, 0.6f, 1.0f}) {
     SceneBuilder builder;
     builder.square(builder.material(metal(vec3(1.0f), roughness)), {0, 0, 0}, {0, 0, 1}, 8);
@@ -62,6 +65,7 @@ SceneBuilder icosahedron(const Material& material, Facing facing) {
 }
 
 TEST_F(Materials, ShadingNormalsLetNoLightThroughTheBack) {
+  StabilityCase listed(44, "shading normals far off", "no light through the back");
   for (const Facing facing : {Facing::outside, Facing::inside}) {
     SceneBuilder builder = icosahedron(diffuse(vec3(0.9f)), facing);
     builder.square(builder.material(diffuse(vec3(0.9f))), {0, -1.2, 0}, {0, 1, 0}, 8);
@@ -71,9 +75,11 @@ TEST_F(Materials, ShadingNormalsLetNoLightThroughTheBack) {
       for (const float value : valuesOf(renderScene(jobOf(4, integrator), builder.finish()).image))
         ASSERT_EQ(value, 0.0f);
   }
+  listed.note("0", 1);
 }
 
 TEST_F(Materials, ShadingNormalsGainNoEnergy) {
+  StabilityCase listed(44, "shading normals far off", "no energy gained");
   for (const Material& white : {diffuse(vec3(1.0f)), metal(vec3(1.0f), 0.3f), mirror()}) {
     SceneBuilder builder = icosahedron(white, Facing::outside);
     builder.environment(vec3(1.0f));
@@ -82,6 +88,7 @@ TEST_F(Materials, ShadingNormalsGainNoEnergy) {
     EXPECT_LE(values.mean(), 1.004 + 4 * values.standardError());
     EXPECT_GT(values.mean(), 0.8);  // and little is lost
   }
+  listed.note("none", 1);
 }
 
 }  // namespace

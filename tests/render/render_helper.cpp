@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "gpu/context.h"
+#include "support/stability.h"
 
 namespace importon::test {
 namespace {
@@ -22,6 +23,7 @@ bool requiresVulkan() {
 
 ::testing::AssertionResult judge(const TestResult& test, int tests, const std::string& figures) {
   const double least = sidak(kSignificance, tests);
+  noteCheck(figures, 1 - std::log(std::max(test.pValue, 1e-300)) / std::log(least));
   if (test.pValue >= least) return ::testing::AssertionSuccess() << figures;
   return ::testing::AssertionFailure()
          << figures
@@ -106,6 +108,7 @@ Moments meanOverSeeds(const RenderJob& job, const Scene& scene, int seeds) {
 ::testing::AssertionResult haveSameBits(const Image& a, const Image& b) {
   if (a.width != b.width || a.height != b.height || a.channels.size() != b.channels.size())
     return ::testing::AssertionFailure() << "the images have different sizes or channels";
+  noteCheck("the same bits", 1);
   for (std::size_t c = 0; c < a.channels.size(); ++c) {
     const std::vector<float>&va = a.channels[c].values, &vb = b.channels[c].values;
     if (va.size() != vb.size()) return ::testing::AssertionFailure() << "channels of different sizes";
@@ -173,6 +176,10 @@ std::vector<double> planeImage(const Scene& scene, const glm::dvec3& point, cons
 }
 
 ::testing::AssertionResult isConstant(const Image& image, double expected, double tolerance) {
+  double most = 0;
+  for (const Channel& channel : image.channels)
+    for (const float value : channel.values) most = std::max(most, std::abs(static_cast<double>(value) / expected - 1));
+  noteCheck(fmt::format("off by {:.1e} of it", most), 1 - most / tolerance);
   for (const Channel& channel : image.channels)
     for (const float value : channel.values)
       if (!(std::abs(static_cast<double>(value) - expected) <= tolerance * expected))
@@ -182,6 +189,7 @@ std::vector<double> planeImage(const Scene& scene, const glm::dvec3& point, cons
 }
 
 ::testing::AssertionResult isSane(const Image& image) {
+  noteCheck("finite, not negative", 1);
   for (const Channel& channel : image.channels)
     for (const float value : channel.values)
       if (!std::isfinite(value) || value < 0)

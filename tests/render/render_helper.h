@@ -9,6 +9,7 @@
 #include "base/log.h"
 #include "render/renderer.h"
 #include "support/scene_builder.h"
+#include "support/stability.h"
 #include "support/statistics.h"
 
 namespace importon::test {

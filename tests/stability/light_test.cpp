@@ -1,0 +1,84 @@
+// Lights that are weak, many, hidden, huge, tiny, or where they should not be.
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "render_helper.h"
+
+namespace importon::test {
+namespace {
+
+constexpr int kSize = 12;
+constexpr double kPi = glm::pi<double>();
+
+class HardLights : public RenderTest {};
+
+double areaOf(const Scene& scene, std::size_t first, std::size_t count) {
+  double area = 0;
+  for (std::size_t i = first; i < first + count; ++i) {
+    const Triangle& t = scene.triangles[i];
+    area += 0.5 * glm::length(glm::cross(glm::dvec3(scene.positions[t.v1] - scene.positions[t.v0]),
+                                         glm::dvec3(scene.positions[t.v2] - scene.positions[t.v0])));
+  }
+  return area;
+}
+
+/// Two closed spheres; in the camera's one a light 1e4 times weaker than in the other one.
+TEST_F(HardLights, SlowWeakLightGetsPhotonsBesideAStrongHiddenOne) {
+  const StabilityCase listed(45, "photons of a light 1e-4 as strong as a hidden one", "E = power / (4 pi R² (1 - albedo))");
+  SceneBuilder builder;
+  const uint walls = builder.material(diffuse(vec3(0.5f)));
+  builder.icosphere(walls, {0, 0, 0}, 1, 3, Facing::inside, Shading::flat);
+  builder.icosphere(walls, {3, 0, 0}, 1, 3, Facing::inside, Shading::flat);
+  builder.pointLight({0, 0, 0}, vec3(1.0f));
+  builder.pointLight({3, 0, 0}, vec3(1e4f));
+  builder.camera({0.1, 0.2, 0.5}, {0, 0, -1}, 1.0, kSize, kSize);
+  const Scene scene = builder.finish();
+  const double expected = 0.5 / kPi * 4 * kPi / (areaOf(scene, 0, scene.triangles.size() / 2) * 0.5);
+  for (const EmissionChoice emission : {EmissionChoice::power, EmissionChoice::guided}) {
+    RenderJob job = makeJob(Integrator::photon, 2);
+    job.emission = emission;
+    job.maxDepth = 24;
+    EXPECT_TRUE(hasMean(meanOverSeeds(job, scene, 6), expected, 2));
+  }
+}
+
+TEST_F(HardLights, ImagesScaleExactlyByPowersOfTwoOfTheLight) {
+  const StabilityCase listed(46, "light times 2^-60 and 2^60", "the image times the same, bit for bit");
+  const auto imageOf = [](float scale, Integrator integrator) {
+    SceneBuilder builder;
+    builder.box(builder.material(diffuse(vec3(0.6f))), {-1, -1, -1}, {1, 1, 1}, Facing::inside);
+    builder.square(builder.material(emitter(vec3(scale))), {0, 0.9, 0}, {0, -1, 0}, 0.6);
+    builder.camera({0.1, 0.2, 0.9}, {-0.1, -0.3, -1}, 1.3, kSize, kSize);
+    return renderScene(makeJob(integrator, 1), builder.finish()).image;
+  };
+  for (const Integrator integrator : {Integrator::path, Integrator::photon}) {
+    const Image plain = imageOf(1, integrator);
+    for (const int exponent : {-60, 60}) {
+      Image scaled = imageOf(std::ldexp(1.0f, exponent), integrator);
+      for (Channel& channel : scaled.channels)
+        for (float& value : channel.values) value = std::ldexp(value, -exponent);
+      EXPECT_TRUE(haveSameBits(plain, scaled)) << exponent;
+    }
+  }
+}
+
+/// Point lights on a surface, in a corner and inside glass, and an emitter in the plane of the floor.
+TEST_F(HardLights, StandWhereTheyShouldNot) {
+  const StabilityCase listed(47, "lights on surfaces, in corners, in planes, in glass", "finite");
+  SceneBuilder builder;
+  builder.box(builder.material(diffuse(vec3(0.6f))), {-1, -1, -1}, {1, 1, 1}, Facing::inside);
+  builder.icosphere(builder.material(glass(1.5f)), {0.4, 0, 0}, 0.2, 2, Facing::outside, Shading::smooth);
+  builder.square(builder.material(emitter(vec3(1.0f), true)), {0, -1, 0}, {0, 1, 0}, 0.5);
+  for (const glm::dvec3 place : {glm::dvec3(0, 1, 0), {1, 1, 1}, {-1, 0, 0}, {0.4, 0, 0}, {0.6, 0, 0}})
+    builder.pointLight(place, vec3(1.0f));
+  builder.spotLight({0, 1, 0}, {0, 1, 0}, vec3(1.0f), 0, 0.5);
+  builder.camera({0.1, 0.2, 0.9}, {-0.1, -0.3, -1}, 1.3, kSize, kSize);
+  for (const Integrator integrator : {Integrator::path, Integrator::photon}) {
+    const Rendered r = renderScene(makeJob(integrator, 2), builder.finish());
+    EXPECT_TRUE(isSane(r.image));
+    EXPECT_EQ(r.stats.global.fluxMap, r.stats.global.fluxHits);
+  }
+}
+
+}  // namespace
+}  // namespace importon::test
