@@ -1,5 +1,5 @@
 #version 460
-// Paths leave the camera: one per pixel of a tile, or importons all over the image.
+// Paths leave the camera: some per pixel of a tile, or importons all over the image.
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/paths.glsl"
 #include "bindings/film.glsl"
@@ -15,13 +15,15 @@ layout(push_constant, scalar) uniform PushBlock { EyeEmitPush push; };
 void main() {
   const uint slot = invocationIndex();
   if (slot >= push.count) return;
-  const uint id = push.first + slot;
-  const vec2 u = sequencePoint(eyeStream(id), eyeIndex(id), kPairFirst);
+  // All pixels of the tile, then all again for the next path of each.
+  const uint id = push.first + slot % push.pixels, sampleOfPixel = push.sampleOfPixel + slot / push.pixels;
+  const uint index = eyeIndex(id, sampleOfPixel);
+  const vec2 u = sequencePoint(eyeStream(id), index, kPairFirst);
   const vec2 size = vec2(params.width, params.height);
   const bool isImporton = kEyeMode == kEyeImportons;
   const vec2 corner = vec2(id % params.width, id / params.width);
   Ray ray = cameraRay(params, isImporton ? u * size : corner + (push.isCentred != 0u ? vec2(0.5) : pixelPoint(kPixelFilter, u)));
-  ray.id = hash(eyeStream(id) ^ hash(eyeIndex(id)));
+  ray.id = hash(eyeStream(id) ^ hash(index));
 
   PathState path;
   // Importons: the whole image emits as many units as it has pixels.
@@ -32,7 +34,7 @@ void main() {
   path.outerMedium = kNone;
   path.pdfSolidAngle = 0.0;
   path.lightWeight = 0.0;
-  path.light = kNone;
+  path.source = sampleOfPixel;
   path.distance = 0.0;
   rays[slot] = ray;
   paths[slot] = path;

@@ -52,7 +52,7 @@ void main() {
   path.outerMedium = kNone;
   path.pdfSolidAngle = 0.0;
   path.lightWeight = 0.0;
-  path.light = light;
+  path.source = light;
   path.distance = 0.0;
   const bool isAlive = maxComponent(path.throughput) > 0.0;
   rays[slot] = Ray(e.origin, isAlive ? kInfinity : 0.0, e.direction, hash(index));

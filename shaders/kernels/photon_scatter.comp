@@ -88,7 +88,7 @@ void main() {
   Bsdf b = makeBsdf(s, cosIn);
   b.coat.isAdjoint = true;
   if (hasRoughLobe(b) && !isFrosted(b)) writeRecord(at, s, isGlossy(b), ray.direction, path);
-  if (kPhotonKind == kPhotonsGlobal && (path.flags & kPathDepthMask) == 0u) seeLight(path.light, s.position);
+  if (kPhotonKind == kPhotonsGlobal && (path.flags & kPathDepthMask) == 0u) seeLight(path.source, s.position);
   if (kReadsCells && kPhotonKind == kPhotonsGlobal) writeCell(at, s, hit, b, ray.direction, cosIn);
   Ray next;
   if (!scatter(s, b, frame, ray.direction, path, next)) return;

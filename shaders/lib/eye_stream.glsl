@@ -9,13 +9,13 @@ uint eyeStream(uint id) {
   return hashCombine(hashCombine(params.seed, kStreamPixels), id);
 }
 
-uint eyeIndex(uint id) {
-  return kEyeMode == kEyeImportons ? id : params.pass * params.samplesPerPass + counters[kCounterSample];
+uint eyeIndex(uint id, uint sampleOfPixel) {
+  return kEyeMode == kEyeImportons ? id : params.pass * params.samplesPerPass + sampleOfPixel;
 }
 
 /// The point of the path's sequence for a decision (kPair*) of the event at hand.
 vec2 eyePoint(PathState path, uint pair) {
-  return sequencePoint(eyeStream(path.id), eyeIndex(path.id), eventPair(path.flags, pair));
+  return sequencePoint(eyeStream(path.id), eyeIndex(path.id, path.source), eventPair(path.flags, pair));
 }
 
 #endif

@@ -20,6 +20,8 @@ struct CompactScatterPush {
 struct EyeEmitPush {
   uint first;     // pixel or importon
   uint count;
+  uint pixels;    // of the tile, or importons
+  uint sampleOfPixel;  // the first of its pixel's paths in this pass
   uint total;     // importons in all
   uint isCentred; // 1: through the middle of the pixel
 };
@@ -249,6 +251,7 @@ struct SortScatterPush {
 /// kernels/film_add.comp
 struct FilmAddPush {
   uint count;   // pixels of the tile
+  uint samples; // paths of each that are done
   uint offset;  // first film pixel of the half
 };
 

@@ -68,7 +68,7 @@ struct PathState {
   uint outerMedium;    // the one around it: lib/path.glsl
   float pdfSolidAngle; // of the sampled direction, 1/sr; 0 after a specular event
   float lightWeight;   // sum of the light weights at the last vertex, for MIS
-  uint light;          // photon: where it comes from
+  uint source;         // photon: its light; eye: which of its pixel's paths in this pass
   float distance;      // m, length since the last non-specular vertex
 };
 
@@ -231,7 +231,6 @@ SHARED_CONST uint kCounterRaysShadow = 10u;
 SHARED_CONST uint kCounterLevels = 11u;       // grid levels of the importons or the batch at work, a bit each
 SHARED_CONST uint kCounterSites = 15u;         // importons at which importance is estimated
 SHARED_CONST uint kCounterStoredLevels = 14u;   // grid levels of the stored photons at work, a bit each
-SHARED_CONST uint kCounterSample = 32u; // camera path of each pixel at work in this pass
 SHARED_CONST uint kCounterAccepted = 13u;       // hits accepted now
 // What each map keeps between batches: kCounterMap + kCountersPerMap · (0 caustic, 1 global) + which.
 SHARED_CONST uint kCounterMap = 16u;

@@ -180,7 +180,7 @@ void addDensityOptions(CLI::App& app, RenderJob& job) {
   addChoice<GatherSource>(app, "--gather-from",
                           {{"photons", GatherSource::photons}, {"cells", GatherSource::cells}}, job.gatherFrom,
                           "final gather rays read the photons around them, or the\nirradiance of the surface cell that "
-                          "they meet\n(default: cells under density control without --redistribute)")
+                          "they meet\n(default: cells, unless another option is about photons)")
       ->group(group);
   app.add_option("--caustic-density", job.causticDensity,
                  withDefault("required in the caustic map, photons per pixel footprint", job.causticDensity))

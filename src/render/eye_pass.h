@@ -18,10 +18,15 @@ struct EyeMaps {
   bool hasCells = false;              // gather rays read the irradiance map that is bound
 };
 
-/// One path, the pass's `sample`-th, for each of the pixels `first` .. `first + count`; adds what they bring to `film`
-/// from FilmPixel `filmOffset` on.
-void traceImage(const Stage& stage, const EyeMaps& maps, uint sample, uint first, uint count, uint maxDepth,
-                const gpu::Buffer& film, uint filmOffset);
+/// Which of each pixel's paths in a pass.
+struct EyeSamples {
+  uint first = 0, count = 1;
+};
+
+/// Paths for each of the pixels `first` .. `first + count`; adds what they bring to `film` from FilmPixel `filmOffset`
+/// on. The workspace must have slots for all of them.
+void traceImage(const Stage& stage, const EyeMaps& maps, const EyeSamples& samples, uint first, uint count,
+                uint maxDepth, const gpu::Buffer& film, uint filmOffset);
 
 /// Rays through the middle of the pixels, and the AOV buffer (kAovFloats per pixel) from what they hit.
 void traceAovs(const Stage& stage, const EyeMaps& maps, uint first, uint count, const gpu::Buffer& aov);

@@ -19,6 +19,8 @@ constexpr int kQuotaPhotons = 8;            // Q
 constexpr int kSamplesPerPass = 4;          // camera paths per pixel that share one photon map
 constexpr double kLargestLookup = 0.025;     // radius over the scene's largest side
 constexpr std::uint64_t kBytesPerPhoton = 96;  // stored, sorted and finished, with its share of the cells
+constexpr std::uint64_t kPathsAtOnce = 1u << 18;
+constexpr std::uint32_t kFewestAtOnce = 4;     // of a pixel's paths, where a pass has so many
 constexpr std::uint64_t kBytesPerCell = 128;    // two sides, two halves
 constexpr uint kProgramFewest = 3;        // neighbours that the program takes for none
 constexpr int kNearestPhotons = 80;       // of a lookup by the nearest ones
@@ -63,10 +65,11 @@ PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2
   const std::uint64_t pixels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
   const std::uint64_t events = static_cast<std::uint64_t>(job.maxDepth) + 1;
   PassPlan plan;
-  plan.tilePixels = std::min<std::uint64_t>(pixels, 1u << 18);
   plan.maxPasses = job.passes.value_or(job.seconds ? 1 << 20 : 64);
-  plan.workspace.slots = plan.tilePixels;
   plan.samples = static_cast<std::uint32_t>(job.gather.value_or(job.integrator == Integrator::photon ? kSamplesPerPass : 1));
+  plan.tilePixels = std::min<std::uint64_t>(pixels, kPathsAtOnce / std::min(plan.samples, kFewestAtOnce));
+  plan.samplesAtOnce = std::clamp(static_cast<std::uint32_t>(kPathsAtOnce / plan.tilePixels), 1u, plan.samples);
+  plan.workspace.slots = plan.tilePixels * plan.samplesAtOnce;
   plan.storage.receivers = static_cast<uint>(job.redistribute.value_or(0));
   plan.storage.acceptance = job.acceptance == Acceptance::step ? kAcceptStep : kAcceptCosine;
   plan.storage.shares = static_cast<uint>(job.shares);

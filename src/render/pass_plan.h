@@ -12,6 +12,7 @@ struct PassPlan {
   std::uint32_t batch = 0;      // traced at once
   std::uint32_t importons = 0;
   std::uint32_t samples = 1;    // camera paths, and so gather rays, per pixel and pass
+  std::uint32_t samplesAtOnce = 1;  // of them
   uint nearestImportons = 32;   // M of the importance estimate
   StorageRule storage;          // without control and expected density, which may change
   uint nearestPhotons = 0;      // of a lookup; 0: all within a radius

@@ -240,8 +240,8 @@ void RenderSession::gatherImage(int pass) {
   const Clock::time_point start = Clock::now();
   for (const FilmTile& tile : film_->tiles()) {
     const uint half = pass % 2 == 0 ? 0 : tile.count;
-    for (uint sample = 0; sample < plan_.samples; ++sample)
-      traceImage(*stage_, eyeMaps(), sample, tile.first, tile.count, parameters_.maxDepth, tile.pixels, half);
+    for (uint first = 0; first < plan_.samples; first += plan_.samplesAtOnce)
+      traceImage(*stage_, eyeMaps(), {first, std::min(plan_.samplesAtOnce, plan_.samples - first)}, tile.first, tile.count, parameters_.maxDepth, tile.pixels, half);
   }
   recorder_->submitAndWait();
   stats_.seconds.gather += secondsSince(start);
