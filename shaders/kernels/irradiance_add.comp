@@ -21,7 +21,7 @@ void main() {
     const vec3 units = records[i].flux * (uintBitsToFloat(cell.y) * params.irradianceUnits);
     const uint at = 8u * cell.x;
     for (uint c = 0u; c < 3u; ++c) {
-      const uvec2 add = fixedFromFloat(units[c]);
+      const uvec2 add = fixedFromFloat(units[c] + 0.5);
       const uint before = atomicAdd(irradiance[at + 2u * c], add.x);
       const uint high = add.y + uint(before + add.x < before);
       if (high != 0u) atomicAdd(irradiance[at + 2u * c + 1u], high);

@@ -12,7 +12,6 @@ namespace {
 constexpr std::uint32_t kPilotPhotons = 1u << 14;  // show where photons fall
 constexpr double kFloorPhotonsPerCell = 2;         // of the density floor, for the largest cells
 constexpr double kHitsPerCell = 4;                 // of a pass, at least, on average
-constexpr float kPasses = 1u << 20;                // that the sums have room for
 
 /// The map is cut anew, finer, at pass 7, 63, 511, ...: the photons before count for an eighth of those that follow.
 int generationOf(int pass) { return (std::bit_width(static_cast<unsigned>(pass + 1)) - 1) / 3; }
@@ -41,7 +40,6 @@ void RenderSession::findCellSizes() {
   recorder_->submitAndWait();
   const float perPass = static_cast<float>(plan_.photons) / static_cast<float>(std::max(pilot, 1u));
   cellSizes_->hits = densityOfRecords(perPass, false);
-  parameters_.irradianceUnits = parameters_.fluxScale / kPasses;
 }
 
 void RenderSession::cutCells(int generation) {
@@ -53,6 +51,8 @@ void RenderSession::cutCells(int generation) {
     const double required = cellSizes_->importance.at(position) * static_cast<double>(parameters_.globalMap.photonsPerPixel);
     return growth * std::max(floor, std::min(required, cellSizes_->hits->at(position) / kHitsPerCell));
   };
+  // Room for all passes of the generation; units as fine as that allows, for the light of weak lamps beside strong ones.
+  parameters_.irradianceUnits = parameters_.fluxScale / std::ldexp(1.0f, 3 * (generation + 1));
   irradiance_.reset();  // its memory is needed
   irradiance_.emplace(*context_, cutSurfaces(scene_, density, plan_.mostCells, job_.threads), plan_.workspace.records,
                       parameters_.irradianceUnits, firstPassOf(generation));
