@@ -69,7 +69,9 @@ GuideShares shareOut(const std::vector<double>& moments, const std::vector<doubl
     const double power = powers[i / perLight] / static_cast<double>(perLight);
     const double even = 1 / static_cast<double>(moments.size());
     const double plain = 0.5 * (power + even);
-    const double share = total > 0 ? kPlainShare * plain + (1 - kPlainShare) * std::sqrt(smoothed[i]) / total : power;
+    // Where nothing is learned yet, each cell keeps some photons beside those of much stronger lights.
+    const double share = total > 0 ? kPlainShare * plain + (1 - kPlainShare) * std::sqrt(smoothed[i]) / total
+                                   : kPlainShare * plain + (1 - kPlainShare) * power;
     shares.cells.push_back(share);
     if (moments[i] <= 0) continue;
     byPower += moments[i] / std::max(power, 1e-300);
