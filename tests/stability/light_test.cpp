@@ -80,5 +80,19 @@ TEST_F(HardLights, StandWhereTheyShouldNot) {
   }
 }
 
+/// A square light of a million triangles against one of two.
+TEST_F(HardLights, SlowMillionTrianglesShineLikeTwo) {
+  const StabilityCase listed(42, "a million light-emitting triangles", "the light of two");
+  const auto meansOf = [](int cells, Integrator integrator) {
+    SceneBuilder builder;
+    builder.square(builder.material(diffuse(vec3(0.8f))), {0, 0, 0}, {0, 1, 0}, 4);
+    builder.square(builder.material(emitter(vec3(1.0f))), {0, 1, 0}, {0, -1, 0}, 1, cells);
+    builder.camera({0, 0.8, 1.5}, {0, 0, 0}, 0.8, kSize, kSize);
+    return meanOverSeeds(makeJob(integrator, 2), builder.finish(), 3);
+  };
+  for (const Integrator integrator : {Integrator::path, Integrator::photon})
+    EXPECT_TRUE(haveSameMean(meansOf(1, integrator), meansOf(708, integrator), 2));
+}
+
 }  // namespace
 }  // namespace importon::test
