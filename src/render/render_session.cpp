@@ -159,15 +159,16 @@ void RenderSession::shootPhotons(int pass) {
   startPass(pass);
   if (!hasMaps()) return;
   const Clock::time_point start = Clock::now();
-  shootGlobalPhotons(true);
-  shootCausticPhotons(true);
-  recorder_->submitAndWait();
+  const auto shoot = [&](bool isFirst) {
+    shootFor(MapKind::global, isFirst);
+    shootFor(MapKind::caustic, isFirst);
+    recorder_->submitAndWait();
+  };
+  shoot(true);
   while (isMapFull()) {
     controlHarder();
     uploadParameters();
-    shootGlobalPhotons(false);
-    shootCausticPhotons(false);
-    recorder_->submitAndWait();
+    shoot(false);
   }
   if (irradiance_) irradiance_->setPasses(pass + 1);
   if (pass < kLearningPasses) updateGuides();
@@ -190,40 +191,27 @@ void RenderSession::controlHarder() {
                                "required, each with more power");
 }
 
-void RenderSession::shootBatches(MapKind kind, EmissionGuide* guide, bool isLearning,
-                                 const std::function<void()>& takeBatch) {
-  const ImportanceMap& importance = kind == MapKind::global ? importance_.global : importance_.caustic;
+void RenderSession::shootFor(MapKind kind, bool isFirst) {
+  const bool isGlobal = kind == MapKind::global;
+  std::optional<PhotonMap>& map = isGlobal ? globalMap_ : causticMap_;
+  const bool fillsCells = isGlobal && irradiance_ && isFirst;
+  if (!map && !fillsCells) return;
+  const ImportanceMap& importance = isGlobal ? importance_.global : importance_.caustic;
+  std::optional<EmissionGuide>& guide = isGlobal ? globalGuide_ : causticGuide_;
+  const bool isLearning = guide && isFirst && static_cast<int>(parameters_.pass) < kLearningPasses;
+  if (map) map->begin(*stage_);
   for (std::uint32_t first = 0; first < plan_.photons; first += plan_.batch) {
-    tracePhotons(*stage_, {kind, guide}, first, std::min(plan_.batch, plan_.photons - first), parameters_.maxDepth);
-    takeBatch();
-    if (!isLearning || guide == nullptr) continue;
-    selectRecords(*stage_, recordMask(kind));
-    guide->learn(*stage_, importance, meanImportance());
+    tracePhotons(*stage_, {kind, guide ? &*guide : nullptr}, first, std::min(plan_.batch, plan_.photons - first),
+                 parameters_.maxDepth);
+    if (fillsCells) irradiance_->addBatch(*stage_);
+    if (map) map->addBatch(*stage_, importance, storageRule(kind));
+    else if (isLearning) selectRecords(*stage_, recordMask(kind));
+    if (isLearning) guide->learn(*stage_, importance, meanImportance());
   }
-}
-
-void RenderSession::shootGlobalPhotons(bool isFirst) {
-  if (!isFirst && !globalMap_) return;
-  if (globalMap_) globalMap_->begin(*stage_);
-  const bool isLearning = isFirst && static_cast<int>(parameters_.pass) < kLearningPasses;
-  shootBatches(MapKind::global, globalGuide_ ? &*globalGuide_ : nullptr, isLearning, [&] {
-    if (irradiance_ && isFirst) irradiance_->addBatch(*stage_);
-    if (globalMap_) globalMap_->addBatch(*stage_, importance_.global, storageRule(MapKind::global));
-  });
-  if (!globalMap_) return;
-  globalMap_->finish(*stage_, importance_.global, plan_.nearestPhotons);
-  if (job_.irradiance != IrradianceCache::off)
-    globalMap_->estimateIrradiance(*stage_, importance_.global, job_.irradiance == IrradianceCache::photons);
-}
-
-void RenderSession::shootCausticPhotons(bool isFirst) {
-  if (!causticMap_) return;
-  causticMap_->begin(*stage_);
-  const bool isLearning = isFirst && static_cast<int>(parameters_.pass) < kLearningPasses;
-  shootBatches(MapKind::caustic, causticGuide_ ? &*causticGuide_ : nullptr, isLearning, [&] {
-    causticMap_->addBatch(*stage_, importance_.caustic, storageRule(MapKind::caustic));
-  });
-  causticMap_->finish(*stage_, importance_.caustic, plan_.nearestPhotons);
+  if (!map) return;
+  map->finish(*stage_, importance, plan_.nearestPhotons);
+  if (isGlobal && job_.irradiance != IrradianceCache::off)
+    map->estimateIrradiance(*stage_, importance, job_.irradiance == IrradianceCache::photons);
 }
 
 EyeMaps RenderSession::eyeMaps() const {

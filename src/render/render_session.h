@@ -1,7 +1,6 @@
 /// A render in progress: device, scene, maps and film, with the named phases that renderer.cpp runs.
 #pragma once
 #include <chrono>
-#include <functional>
 #include <memory>
 #include <optional>
 
@@ -73,11 +72,9 @@ class RenderSession {
   void cutCells(int generation);
   /// Has the irradiance map ready for a pass.
   void prepareCells(int pass);
-  /// Traces the pass's photons for a map batch by batch, and teaches the guide, if any.
-  void shootBatches(MapKind kind, EmissionGuide* guide, bool isLearning, const std::function<void()>& takeBatch);
-  /// Fills what holds the photons of a pass. `isFirst`: not yet done in this pass, with a map that was too small.
-  void shootGlobalPhotons(bool isFirst);
-  void shootCausticPhotons(bool isFirst);
+  /// Fills what holds the pass's photons of a kind, batch by batch, and teaches their guide. `isFirst`: not yet done in
+  /// this pass, with a map that was too small.
+  void shootFor(MapKind kind, bool isFirst);
   /// Shoots photons whose only use is to teach the guides, and drops those that do not pay.
   void trainGuides();
   void updateGuides();
