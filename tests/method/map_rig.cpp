@@ -5,6 +5,8 @@
 
 #include "render/eye_pass.h"
 #include "shared/bindings.h"
+#include "shared/push_data.h"
+#include "shared/ray_data.h"
 
 namespace importon::test {
 
@@ -31,6 +33,36 @@ ImportonsFound MapRig::importons(MapKind kind) const {
   const ImportanceMap& map = kind == MapKind::caustic ? importance.caustic : importance.global;
   const std::uint64_t sites = (map.count + kImportonsPerSite - 1) / kImportonsPerSite;
   return {map.grid.points.download<MapPoint>(sites), map.importance.download<float>(sites)};
+}
+
+EmissionGuide MapRig::teachGuide(const Scene& scene, MapKind kind, int bins) {
+  EmissionGuide guide(context_, scene, kind, bins);
+  const ImportanceMap& map = kind == MapKind::caustic ? importance.caustic : importance.global;
+  const double pixels = static_cast<double>(parameters.width) * static_cast<double>(parameters.height);
+  work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
+  recorder_->fill(work_->counters, 0);
+  tracePhotons(*stage_, {kind, &guide}, 0, plan.batch, parameters.maxDepth);
+  selectRecords(*stage_, recordMask(kind));
+  guide.learn(*stage_, map, static_cast<float>(pixels / surfaceArea(scene)));
+  recorder_->submitAndWait();
+  guide.update();
+  return guide;
+}
+
+std::vector<EmittedPhoton> MapRig::emit(MapKind kind, const EmissionGuide* guide) {
+  gpu::BindingTable table = work_->table;
+  if (guide) guide->bind(table);
+  table.set(kBindingQueue, work_->queueA);
+  const uint plain = kind == MapKind::global ? kStreamGlobalPhotons : kStreamCausticPhotons;
+  work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
+  recorder_->dispatch(guide ? kernels_.photonEmitGuided : kernels_.photonEmit, table, plan.batch,
+                      PhotonEmitPush{0, plan.batch, guide ? guide->stream() : plain, guide ? guide->bins() : 0});
+  recorder_->submitAndWait();
+  const auto rays = work_->rays.download<Ray>(plan.batch);
+  const auto paths = work_->paths.download<PathState>(plan.batch);
+  std::vector<EmittedPhoton> photons;
+  for (std::size_t i = 0; i < rays.size(); ++i) photons.push_back({rays[i].direction, paths[i].source, paths[i].throughput});
+  return photons;
 }
 
 ExpectedDensity MapRig::countPilot(MapKind kind) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/device_scene.h"
+#include "render/emission_guide.h"
 #include "render/importance.h"
 #include "render/pass_plan.h"
 #include "render/photon_map.h"
@@ -16,6 +17,12 @@ namespace importon::test {
 struct ImportonsFound {
   std::vector<MapPoint> points;
   std::vector<float> importance;  // pixels/m², at each
+};
+
+struct EmittedPhoton {
+  vec3 direction;
+  uint light;
+  vec3 flux;  // W
 };
 
 class MapRig {
@@ -33,6 +40,10 @@ class MapRig {
   [[nodiscard]] PhotonMap shoot(MapKind kind, DensityControl control, uint receivers, std::uint64_t capacity = 0) {
     return shoot(kind, {control, receivers}, capacity);
   }
+  /// A guide that a batch of photons has taught. Importance must have been found.
+  [[nodiscard]] EmissionGuide teachGuide(const Scene& scene, MapKind kind, int bins);
+  /// A batch of photons as they leave the lights, by power or as a guide has it.
+  [[nodiscard]] std::vector<EmittedPhoton> emit(MapKind kind, const EmissionGuide* guide = nullptr);
   /// Counts the hits of the plan's photons, with random numbers of their own.
   [[nodiscard]] ExpectedDensity countPilot(MapKind kind);
   [[nodiscard]] PhotonMapCounts counts(const PhotonMap& map) const { return map.readCounts(*stage_, parameters.fluxScale); }

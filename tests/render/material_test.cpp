@@ -57,6 +57,21 @@ TEST_F(Materials, ClearCoatReflectsFourPercent) {
   EXPECT_TRUE(isConstant(renderScene(jobOf(4), plateBeforeLight(coated)).image, 0.04, 1e-5));
 }
 
+/// KHR_materials_unlit: the colour that it has, whatever the light, and none of it for others.
+TEST_F(Materials, UnlitOnesShowTheirColorAndLightNothing) {
+  Material unlit = diffuse(vec3(0.3f));
+  unlit.flags |= kMaterialUnlit;
+  for (const Integrator integrator : {Integrator::path, Integrator::photon}) {
+    EXPECT_TRUE(isConstant(renderScene(jobOf(4, integrator), plateBeforeLight(unlit)).image, 0.3, 1e-6));
+    SceneBuilder builder;
+    builder.square(builder.material(diffuse(vec3(0.5f))), {0, 0, 0}, {0, 0, 1}, 2);
+    builder.square(builder.material(unlit), {0, 0, 4}, {0, 0, -1}, 60);
+    builder.pointLight({0, 0, 5}, vec3(1));  // behind it
+    builder.camera({0, 0, 3}, {0, 0, 0}, 0.1, kSize, kSize);
+    EXPECT_TRUE(isConstant(renderScene(jobOf(4, integrator), builder.finish()).image, 0, 0));
+  }
+}
+
 /// Case 44: an icosahedron with the normals of a sphere, up to 37 degrees off.
 SceneBuilder icosahedron(const Material& material, Facing facing) {
   SceneBuilder builder;
