@@ -27,7 +27,9 @@ void main() {
   const uint slot = invocationIndex();
   if (slot >= push.count) return;
   const uint photon = push.firstPhoton + slot;
-  const uint stream = photonStream(push.stream), index = photonIndex(photon);
+  MapSettings map = params.causticMap;
+  if (push.isGlobal != 0u) map = params.globalMap;
+  const uint stream = photonStream(push.stream), index = photonIndex(map, photon);
   vec2 place = sequencePoint(stream, index, kPairPosition), direction = sequencePoint(stream, index, kPairDirection);
   uint light;
   float density;
@@ -45,7 +47,7 @@ void main() {
   }
   const Emission e = emitFromLight(light, place, direction, params.sceneCentre, params.sceneRadius);
   PathState path;
-  path.throughput = e.flux / (density * float(params.photonsPerPass));
+  path.throughput = e.flux / (density * float(map.photonsPerPass));
   path.flags = 0u;
   path.id = photon;
   path.medium = kNone;

@@ -16,6 +16,11 @@ layout(scalar, binding = kBindingRecordCells) writeonly buffer RecordCellsBlock 
 layout(scalar, binding = kBindingLightsSeenOut) buffer LightsSeenBlock { uint lightsSeenOut[]; };
 layout(push_constant, scalar) uniform PushBlock { PhotonScatterPush push; };
 
+MapSettings mapOfPhotons() {
+  if (kPhotonKind == kPhotonsGlobal) return params.globalMap;
+  return params.causticMap;
+}
+
 void writeRecord(uint at, Surface s, bool isGlossy, vec3 direction, PathState path) {
   const bool isCaustic = kPhotonKind == kPhotonsCaustic;
   if (isCaustic && (path.flags & kPathSpecular) == 0u) return;
@@ -45,7 +50,7 @@ const float kMaxAdjoint = 4.0;
 
 /// Scatters the photon; false: absorbed. Throughput keeps its mean by Russian roulette.
 bool scatter(Surface s, Bsdf b, mat3 frame, vec3 direction, inout PathState path, out Ray ray) {
-  const uint stream = photonStream(push.stream), index = photonIndex(path.id);
+  const uint stream = photonStream(push.stream), index = photonIndex(mapOfPhotons(), path.id);
   const vec2 choice = sequencePoint(stream, index, eventPair(path.flags, kPairLobe));
   const vec3 towardsLight = -direction * frame;
   const BsdfSample next = sampleBsdf(b, towardsLight, choice.x, sequencePoint(stream, index, eventPair(path.flags, kPairScatter)));

@@ -4,6 +4,6 @@
 #include "lib/path_pairs.glsl"
 
 uint photonStream(uint purpose) { return hashCombine(params.seed, purpose); }
-uint photonIndex(uint photon) { return params.pass * params.photonsPerPass + photon; }
+uint photonIndex(MapSettings map, uint photon) { return map.firstPhoton + photon; }
 
 #endif

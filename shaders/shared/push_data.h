@@ -166,6 +166,7 @@ struct PhotonEmitPush {
   uint count;
   uint stream;
   uint bins;  // of the guide, along each axis; 0: by power
+  uint isGlobal;
 };
 
 /// kernels/photon_key.comp

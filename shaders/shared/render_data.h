@@ -16,6 +16,8 @@ struct MapSettings {
   float densityLimit;     // photons/m²: most required density, for what memory holds
   float lookupPhotons;    // M: photons within a lookup radius where the map has its required density
   float fewestPhotons;    // as many on average where the map is thin
+  uint photonsPerPass;    // emitted for the map
+  uint firstPhoton;       // of the pass, counted over all passes: its place in the sequence, modulo 2^32
 };
 
 /// The same for every kernel of a pass. Lengths in m, render space.
@@ -40,7 +42,6 @@ struct Parameters {
   uint maxDepth;             // scattering events
   float fluxScale;           // units of fixed-point flux per W, a power of two
   float quotaPhotons;        // Q: photons within a quota radius
-  uint photonsPerPass;
   uint samplesPerPass;       // camera paths, and so gather rays, of each pixel in a pass
   float densityScale;        // growth of D_r over passes
   float largestQuotaRadius;  // m

@@ -19,6 +19,7 @@ constexpr int kQuotaPhotons = 8;            // Q
 constexpr int kSamplesPerPass = 4;          // camera paths per pixel that share one photon map
 constexpr double kLargestLookup = 0.025;     // radius over the scene's largest side
 constexpr std::uint64_t kBytesPerPhoton = 96;  // stored, sorted and finished, with its share of the cells
+constexpr std::uint64_t kCausticHits = 2;  // of a photon, on average at most: it goes on only through clear coats
 constexpr std::uint64_t kPathsAtOnce = 1u << 18;
 constexpr std::uint32_t kFewestAtOnce = 4;     // of a pixel's paths, where a pass has so many
 constexpr std::uint64_t kBytesPerCell = 128;    // two sides, two halves
@@ -30,7 +31,8 @@ constexpr uint kImportonLevels = 21;        // grid levels at which an importon 
 /// The program gives no place less than one photon per m².
 constexpr float kProgramDensityFloor = 1;
 
-MapSettings mapSettings(const RenderJob& job, double photonsPerPixel, uint mask, double extent, LookupPhotons lookup) {
+MapSettings mapSettings(const RenderJob& job, double photonsPerPixel, uint mask, double extent, LookupPhotons lookup,
+                        std::uint32_t photons) {
   if (job.lookupPhotons) lookup = {static_cast<double>(*job.lookupPhotons), lookup.fewest / lookup.required * *job.lookupPhotons};
   const double radius = kLargestLookup * extent;
   MapSettings map{};
@@ -42,6 +44,7 @@ MapSettings mapSettings(const RenderJob& job, double photonsPerPixel, uint mask,
   map.lookupPhotons = static_cast<float>(lookup.required);
   map.fewestPhotons = static_cast<float>(lookup.fewest);
   map.densityLimit = std::numeric_limits<float>::max();
+  map.photonsPerPass = photons;
   return map;
 }
 
@@ -84,24 +87,31 @@ PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2
     return plan;
   }
   plan.workspace.hasDifferentials = job.importance == ImportanceChoice::differentials;
-  plan.photons = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pixels, 1u << 16, 1u << 20));
+  const auto photonsFor = [](std::uint64_t wanted) {
+    return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(wanted, 1u << 16, 1u << 20));
+  };
+  plan.photons = photonsFor(pixels);
+  plan.causticPhotons = photonsFor(pixels * plan.samples);  // a caustic is seen directly: its noise is the image's
   // Both maps share the photons asked for; a caustic map that no surface asks for must not change the image.
   const bool hasTwoMaps = features.needsCausticMap && !job.forcesAllFeatures;
-  if (job.photons) plan.photons = std::max(*job.photons / (hasTwoMaps ? 2 : 1), 1u);
+  if (job.photons) plan.photons = plan.causticPhotons = std::max(*job.photons / (hasTwoMaps ? 2 : 1), 1u);
+  if (!features.needsCausticMap) plan.causticPhotons = 0;
   const std::uint64_t mostRecords = limits.maxStorageBufferRange / sizeof(MapPoint);
-  plan.batch = std::min({plan.photons, job.photonBatch.value_or(limits.isCpu ? 1u << 16 : 1u << 18),
+  plan.batch = std::min({std::max(plan.photons, plan.causticPhotons), job.photonBatch.value_or(limits.isCpu ? 1u << 16 : 1u << 18),
                          static_cast<std::uint32_t>(std::max<std::uint64_t>(mostRecords / events, 1))});
   plan.importons = job.importons.value_or(static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pixels, 1u << 14, 1u << 16)));
   plan.importons = std::min(plan.importons, static_cast<std::uint32_t>(std::max<std::uint64_t>(mostRecords / events, 1)));
   const std::uint64_t heapShare = job.memoryMiB ? *job.memoryMiB << 20 : limits.heapBytes / 4;
   const std::uint64_t byRange = limits.maxStorageBufferRange / 24;
-  plan.mapCapacity = std::min({plan.photons * events, heapShare / (2 * kBytesPerPhoton), byRange});
+  const std::uint64_t mostPhotons = std::min(heapShare / (2 * kBytesPerPhoton), byRange);
+  plan.mapCapacity = std::min(plan.photons * events, mostPhotons);
+  plan.causticCapacity = std::min(plan.causticPhotons * std::min(events, kCausticHits), mostPhotons);
   plan.mostCells = std::min({16 * pixels + (1u << 18), heapShare / kBytesPerCell, limits.maxStorageBufferRange / 64});
   plan.workspace.slots = std::max<std::uint64_t>({plan.workspace.slots, plan.batch, plan.importons});
   plan.workspace.lightVoxels = std::uint64_t{kLightVoxels} * kLightVoxels * kLightVoxels;
   plan.workspace.records = std::max<std::uint64_t>(plan.batch, plan.importons) * events;
   plan.workspace.entries = std::max<std::uint64_t>(
-      {plan.workspace.records, plan.mapCapacity, std::uint64_t{plan.importons} * kImportonLevels});
+      {plan.workspace.records, plan.mapCapacity, plan.causticCapacity, std::uint64_t{plan.importons} * kImportonLevels});
   if (plan.nearestPhotons > 0)
     plan.workspace.entries = std::max(plan.workspace.entries, std::min(plan.mapCapacity * kPhotonLevels, mostRecords));
   return plan;
@@ -136,7 +146,6 @@ Parameters makeParameters(const RenderJob& job, const Scene& scene, const PassPl
   p.lightCount = static_cast<uint>(scene.lights.size());
   p.totalPower = static_cast<float>(power);
   p.seed = job.seed;
-  p.photonsPerPass = plan.photons;
   p.samplesPerPass = plan.samples;
   p.maxDepth = static_cast<uint>(job.maxDepth);
   p.fluxScale = chooseFluxScale(power, job.maxDepth);
@@ -144,8 +153,8 @@ Parameters makeParameters(const RenderJob& job, const Scene& scene, const PassPl
   p.largestQuotaRadius = largestQuotaRadius(job, plan.photons, p.quotaPhotons, surfaceArea(scene));
   p.densityScale = 1;
   p.importonFlux = 1;
-  p.causticMap = mapSettings(job, job.causticDensity, kRecordCaustic, longest, kCausticLookup);
-  p.globalMap = mapSettings(job, job.globalDensity, kRecordGlobal, longest, kGlobalLookup);
+  p.causticMap = mapSettings(job, job.causticDensity, kRecordCaustic, longest, kCausticLookup, plan.causticPhotons);
+  p.globalMap = mapSettings(job, job.globalDensity, kRecordGlobal, longest, kGlobalLookup, plan.photons);
   return p;
 }
 

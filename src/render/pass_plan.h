@@ -2,13 +2,15 @@
 #pragma once
 #include "render/camera_setup.h"
 #include "render/feature_set.h"
+#include "render/importance.h"
 #include "render/storage_rule.h"
 #include "render/workspace.h"
 
 namespace importon {
 
 struct PassPlan {
-  std::uint32_t photons = 0;    // emitted per pass for each map; 0: no maps
+  std::uint32_t photons = 0;         // emitted per pass for the global map; 0: no maps
+  std::uint32_t causticPhotons = 0;  // for the caustic map, likewise
   std::uint32_t batch = 0;      // traced at once
   std::uint32_t importons = 0;
   std::uint32_t samples = 1;    // camera paths, and so gather rays, per pixel and pass
@@ -17,10 +19,14 @@ struct PassPlan {
   StorageRule storage;          // without control and expected density, which may change
   uint nearestPhotons = 0;      // of a lookup; 0: all within a radius
   std::uint64_t tilePixels = 0;
-  std::uint64_t mapCapacity = 0;  // photons
+  std::uint64_t mapCapacity = 0;  // photons, of the global map
+  std::uint64_t causticCapacity = 0;
   std::uint64_t mostCells = 0;    // of the irradiance map
   int maxPasses = 64;
   WorkspaceSize workspace;
+
+  [[nodiscard]] std::uint32_t photonsFor(MapKind kind) const { return kind == MapKind::global ? photons : causticPhotons; }
+  [[nodiscard]] std::uint64_t capacityFor(MapKind kind) const { return kind == MapKind::global ? mapCapacity : causticCapacity; }
 };
 
 /// Chooses counts for an image of `size` pixels on a device of `limits`.

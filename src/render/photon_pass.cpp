@@ -21,7 +21,7 @@ void tracePhotons(const Stage& stage, const PhotonSource& source, std::uint32_t 
   setCounter(stage, kCounterRecords, 0);
   setCounter(stage, counter, count);
   stage.recorder.dispatch(isGuided ? kernels.photonEmitGuided : kernels.photonEmit, table, count,
-                          PhotonEmitPush{first, count, stream, isGuided ? source.guide->bins() : 0});
+                          PhotonEmitPush{first, count, stream, isGuided ? source.guide->bins() : 0, isGlobal});
   for (uint depth = 0; depth <= maxDepth; ++depth) {
     table.set(kBindingQueue, *now);
     overRays(stage, stage.kernels.traceClosest, table, counter, TracePush{counter});

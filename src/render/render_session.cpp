@@ -65,7 +65,7 @@ RenderSession::RenderSession(const RenderJob& job, const Scene& scene, Log& log)
     if (!features_.readsCells || job.control == DensityControl::off)
       globalMap_.emplace(*context_, MapKind::global, plan_.mapCapacity, plan_.workspace.records);
     if (features_.needsCausticMap)
-      causticMap_.emplace(*context_, MapKind::caustic, plan_.mapCapacity, plan_.workspace.records);
+      causticMap_.emplace(*context_, MapKind::caustic, plan_.causticCapacity, plan_.workspace.records);
   }
   stats_.seconds.device += secondsSince(start);
 }
@@ -82,7 +82,8 @@ void RenderSession::findImportance() {
   buildImportance(*stage_, parameters_, importance_, plan_.importons, plan_.nearestImportons,
                   causticMap_.has_value());
   // A camera that sees no surface to light needs no photons, nor does a scene that has no light to shoot them.
-  if (scene_.lights.empty() || (importance_.global.count == 0 && importance_.caustic.count == 0)) plan_.photons = 0;
+  if (scene_.lights.empty() || (importance_.global.count == 0 && importance_.caustic.count == 0))
+    plan_.photons = plan_.causticPhotons = 0;
   if (features_.readsCells) cellSizes_.emplace(densityOfRecords(1, true));
   trainGuides();
   shootPilot();
@@ -102,7 +103,7 @@ void RenderSession::trainGuides() {
   startPass(0);
   const auto train = [&](std::optional<EmissionGuide>& guide, MapKind kind, const ImportanceMap& importance, int bins) {
     guide.emplace(*context_, scene_, kind, bins);
-    tracePhotons(*stage_, {kind, &*guide}, 0, std::min(plan_.batch, plan_.photons), parameters_.maxDepth);
+    tracePhotons(*stage_, {kind, &*guide}, 0, std::min(plan_.batch, plan_.photonsFor(kind)), parameters_.maxDepth);
     selectRecords(*stage_, recordMask(kind));
     guide->learn(*stage_, importance, meanImportance());
     recorder_->submitAndWait();
@@ -118,10 +119,11 @@ void RenderSession::shootPilot() {
   startPass(0);
   const auto count = [&](std::optional<ExpectedDensity>& expected, MapKind kind, const ImportanceMap& importance,
                          const std::optional<EmissionGuide>& guide) {
-    expected.emplace(*context_, kind, plan_.mapCapacity);
-    for (std::uint32_t first = 0; first < plan_.photons; first += plan_.batch) {
-      tracePhotons(*stage_, {kind, guide ? &*guide : nullptr, true}, first,
-                   std::min(plan_.batch, plan_.photons - first), parameters_.maxDepth);
+    expected.emplace(*context_, kind, plan_.capacityFor(kind));
+    const std::uint32_t photons = plan_.photonsFor(kind);
+    for (std::uint32_t first = 0; first < photons; first += plan_.batch) {
+      tracePhotons(*stage_, {kind, guide ? &*guide : nullptr, true}, first, std::min(plan_.batch, photons - first),
+                   parameters_.maxDepth);
       expected->count(*stage_, importance);
     }
     recorder_->submitAndWait();
@@ -146,6 +148,8 @@ void RenderSession::updateGuides() {
 void RenderSession::startPass(int pass) {
   parameters_.pass = static_cast<uint>(pass);
   parameters_.densityScale = std::cbrt(static_cast<float>(pass + 1));  // r² shrinks as its inverse
+  parameters_.globalMap.firstPhoton = static_cast<uint>(pass) * plan_.photons;
+  parameters_.causticMap.firstPhoton = static_cast<uint>(pass) * plan_.causticPhotons;
   if (features_.readsCells && cellSizes_->hits) prepareCells(pass);
   uploadParameters();
   recorder_->fill(work_->counters, 0);
@@ -181,10 +185,11 @@ bool RenderSession::isMapFull() const {
 }
 
 void RenderSession::controlHarder() {
-  const double first = 4 * static_cast<double>(plan_.mapCapacity) / surfaceArea_;
+  const std::uint64_t mostPhotons = std::max(plan_.mapCapacity, plan_.causticCapacity);
+  const double first = 4 * static_cast<double>(mostPhotons) / surfaceArea_;
   const float limit = std::min(0.5f * parameters_.globalMap.densityLimit, static_cast<float>(first));
   if (limit * surfaceArea_ < 1)
-    throw DeviceError("the photon maps", fmt::format("no room for {} photons", plan_.mapCapacity), "raise --memory");
+    throw DeviceError("the photon maps", fmt::format("no room for {} photons", mostPhotons), "raise --memory");
   parameters_.globalMap.densityLimit = parameters_.causticMap.densityLimit = limit;
   control_ = DensityControl::density;
   log_.warn("photon map full", "the photon maps need more than --memory allows: fewer photons are stored than "
@@ -200,8 +205,9 @@ void RenderSession::shootFor(MapKind kind, bool isFirst) {
   std::optional<EmissionGuide>& guide = isGlobal ? globalGuide_ : causticGuide_;
   const bool isLearning = guide && isFirst && static_cast<int>(parameters_.pass) < kLearningPasses;
   if (map) map->begin(*stage_);
-  for (std::uint32_t first = 0; first < plan_.photons; first += plan_.batch) {
-    tracePhotons(*stage_, {kind, guide ? &*guide : nullptr}, first, std::min(plan_.batch, plan_.photons - first),
+  const std::uint32_t photons = plan_.photonsFor(kind);
+  for (std::uint32_t first = 0; first < photons; first += plan_.batch) {
+    tracePhotons(*stage_, {kind, guide ? &*guide : nullptr}, first, std::min(plan_.batch, photons - first),
                  parameters_.maxDepth);
     if (fillsCells) irradiance_->addBatch(*stage_);
     if (map) map->addBatch(*stage_, importance, storageRule(kind));
@@ -252,7 +258,7 @@ void RenderSession::countPass(int) {
   if (counters[kCounterTraceUnfinished] > 0)
     log_.warn("rays given up", fmt::format("{} rays were too long for this device", counters[kCounterTraceUnfinished]));
   if (!hasMaps()) return;
-  stats_.photonsEmitted += plan_.photons * (causticMap_ ? 2u : 1u);
+  stats_.photonsEmitted += plan_.photons + (causticMap_ ? plan_.causticPhotons : 0);
   if (globalMap_) addCounts(stats_.global, globalMap_->readCounts(*stage_, parameters_.fluxScale), "global");
   else if (irradiance_) {
     stats_.global.hits += counters[kCounterCellHits];

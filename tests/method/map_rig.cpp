@@ -56,7 +56,7 @@ std::vector<EmittedPhoton> MapRig::emit(MapKind kind, const EmissionGuide* guide
   const uint plain = kind == MapKind::global ? kStreamGlobalPhotons : kStreamCausticPhotons;
   work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
   recorder_->dispatch(guide ? kernels_.photonEmitGuided : kernels_.photonEmit, table, plan.batch,
-                      PhotonEmitPush{0, plan.batch, guide ? guide->stream() : plain, guide ? guide->bins() : 0});
+                      PhotonEmitPush{0, plan.batch, guide ? guide->stream() : plain, guide ? guide->bins() : 0, kind == MapKind::global});
   recorder_->submitAndWait();
   const auto rays = work_->rays.download<Ray>(plan.batch);
   const auto paths = work_->paths.download<PathState>(plan.batch);
@@ -66,11 +66,11 @@ std::vector<EmittedPhoton> MapRig::emit(MapKind kind, const EmissionGuide* guide
 }
 
 ExpectedDensity MapRig::countPilot(MapKind kind) {
-  ExpectedDensity expected(context_, kind, plan.mapCapacity);
+  ExpectedDensity expected(context_, kind, plan.capacityFor(kind));
   work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
   recorder_->fill(work_->counters, 0);
-  for (std::uint32_t first = 0; first < plan.photons; first += plan.batch) {
-    tracePhotons(*stage_, {kind, nullptr, true}, first, std::min(plan.batch, plan.photons - first), parameters.maxDepth);
+  for (std::uint32_t first = 0; first < plan.photonsFor(kind); first += plan.batch) {
+    tracePhotons(*stage_, {kind, nullptr, true}, first, std::min(plan.batch, plan.photonsFor(kind) - first), parameters.maxDepth);
     expected.count(*stage_, kind == MapKind::caustic ? importance.caustic : importance.global);
   }
   recorder_->submitAndWait();
@@ -79,12 +79,12 @@ ExpectedDensity MapRig::countPilot(MapKind kind) {
 
 PhotonMap MapRig::shoot(MapKind kind, const StorageRule& rule, std::uint64_t capacity) {
   const ImportanceMap& required = kind == MapKind::caustic ? importance.caustic : importance.global;
-  PhotonMap map(context_, kind, capacity != 0 ? capacity : plan.mapCapacity, plan.workspace.records);
+  PhotonMap map(context_, kind, capacity != 0 ? capacity : plan.capacityFor(kind), plan.workspace.records);
   work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
   recorder_->fill(work_->counters, 0);
   map.begin(*stage_);
-  for (std::uint32_t first = 0; first < plan.photons; first += plan.batch) {
-    tracePhotons(*stage_, {kind, nullptr}, first, std::min(plan.batch, plan.photons - first), parameters.maxDepth);
+  for (std::uint32_t first = 0; first < plan.photonsFor(kind); first += plan.batch) {
+    tracePhotons(*stage_, {kind, nullptr}, first, std::min(plan.batch, plan.photonsFor(kind) - first), parameters.maxDepth);
     map.addBatch(*stage_, required, rule);
   }
   map.finish(*stage_, required, plan.nearestPhotons);
