@@ -62,6 +62,11 @@ struct GuideLearnPush {
   float meanImportance;  // pixels/m²
 };
 
+/// kernels/hit_count.comp
+struct HitCountPush {
+  uint weight;  // hits that each stands for
+};
+
 /// kernels/hit_key.comp
 struct HitKeyPush {
   uint isGlobal;

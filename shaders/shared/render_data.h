@@ -18,6 +18,7 @@ struct MapSettings {
   float fewestPhotons;    // as many on average where the map is thin
   uint photonsPerPass;    // emitted for the map
   uint firstPhoton;       // of the pass, counted over all passes: its place in the sequence, modulo 2^32
+  uint pilotPasses;       // whose hits were counted before the first pass: 0 or 1
 };
 
 /// The same for every kernel of a pass. Lengths in m, render space.

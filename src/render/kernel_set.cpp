@@ -76,6 +76,7 @@ std::vector<Entry> listMaps(KernelSet& k, const RenderJob& job) {
           {&k.irradianceAdd, "add to irradiance", "irradiance_add", {}},
           {&k.aovCells, "AOV cells", "aov_cells", {}},
           {&k.recordSelect, "select records", "record_select", {}},
+          {&k.hitCount, "count hits", "hit_count", {}},
           {&k.hitKey, "required density", "hit_key", {}},
           {&k.photonQuota, "density quota", "photon_quota", {}},
           {&k.photonStore, "store photons", "photon_store", {}},

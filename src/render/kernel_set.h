@@ -14,7 +14,7 @@ struct KernelSet {
       importonEntries, importonPoints,
       importonDensity, importonKey, importonResolve;
   gpu::Kernel photonEmit, photonEmitGuided, photonScatter, causticScatter, guideLearn, irradianceAdd, aovCells;
-  gpu::Kernel recordSelect, hitKey, photonQuota, photonStore, photonThin, pilotCount, photonKey,
+  gpu::Kernel recordSelect, hitCount, hitKey, photonQuota, photonStore, photonThin, pilotCount, photonKey,
       photonEntries, photonEntryPoints,
       photonRedistribute, photonResolve, fluxSum;
   gpu::Kernel cellFind, cellClaim, cellSettle, cellAdd, cellClear;

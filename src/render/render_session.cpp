@@ -13,6 +13,7 @@
 #include "render/photon_pass.h"
 #include "render/point_layer.h"
 #include "shared/bindings.h"
+#include "shared/push_data.h"
 #include "shared/ray_data.h"
 
 namespace importon {
@@ -86,6 +87,7 @@ void RenderSession::findImportance() {
     plan_.photons = plan_.causticPhotons = 0;
   if (features_.readsCells) cellSizes_.emplace(densityOfRecords(1, true));
   trainGuides();
+  countCausticHits();
   shootPilot();
   if (features_.readsCells) findCellSizes();
   stats_.importonsEmitted = plan_.importons;
@@ -112,6 +114,23 @@ void RenderSession::trainGuides() {
   train(globalGuide_, MapKind::global, importance_.global, kGlobalBins);
   if (job_.emission == EmissionChoice::automatic && globalGuide_->gain() < kLeastGain) globalGuide_.reset();
   if (causticMap_) train(causticGuide_, MapKind::caustic, importance_.caustic, kCausticBins);
+}
+
+void RenderSession::countCausticHits() {
+  if (!causticMap_ || importance_.caustic.count == 0 || plan_.causticPhotons == 0) return;
+  startPass(0);
+  const uint weight = std::max(plan_.causticPhotons / plan_.batch, 1u);  // of a share of the photons of a pass
+  const std::uint32_t photons = plan_.causticPhotons / weight;
+  gpu::BindingTable table = work_->table;
+  importance_.caustic.bind(table);
+  for (std::uint32_t first = 0; first < photons; first += plan_.batch) {
+    tracePhotons(*stage_, {MapKind::caustic, causticGuide_ ? &*causticGuide_ : nullptr, true}, first,
+                 std::min(plan_.batch, photons - first), parameters_.maxDepth);
+    selectRecords(*stage_, recordMask(MapKind::caustic));
+    overItems(*stage_, kernels_.hitCount, table, kCounterSelected, HitCountPush{weight});
+  }
+  recorder_->submitAndWait();
+  parameters_.causticMap.pilotPasses = 1;
 }
 
 void RenderSession::shootPilot() {

@@ -78,6 +78,8 @@ class RenderSession {
   /// Shoots photons whose only use is to teach the guides, and drops those that do not pay.
   void trainGuides();
   void updateGuides();
+  /// Shoots photons whose hits are only counted, so that the first pass reads the caustic map with the right radius.
+  void countCausticHits();
   /// Shoots photons whose hits are only counted, for storage by probability.
   void shootPilot();
   [[nodiscard]] StorageRule storageRule(MapKind kind) const;

@@ -33,7 +33,8 @@ std::vector<HostLayout> hostLayouts() {
       IMPORTON_LAYOUT(BvhTriangle, v0, triangle, v1, next, v2, kind),
       // shared/render_data.h
       IMPORTON_LAYOUT(MapSettings, photonsPerPixel, constantDensity, densityFloor, importonLevels,
-                      recordMask, importonFlux, densityLimit, lookupPhotons, fewestPhotons, photonsPerPass, firstPhoton),
+                      recordMask, importonFlux, densityLimit, lookupPhotons, fewestPhotons, photonsPerPass, firstPhoton,
+                      pilotPasses),
       IMPORTON_LAYOUT(Parameters, cameraOrigin, cameraIsOrthographic, cameraForward, width, cameraRight,
                       height, cameraUp, seed, gridOrigin, gridExtent, sceneCentre, sceneRadius,
                       environmentSize, environmentLight, lightCount, totalPower, pass, maxDepth,
@@ -60,6 +61,7 @@ std::vector<HostLayout> hostLayouts() {
       IMPORTON_LAYOUT(FluxSumPush, what, source),
       IMPORTON_LAYOUT(GridCellsPush, source, slotMask),
       IMPORTON_LAYOUT(GridPointsPush, source),
+      IMPORTON_LAYOUT(HitCountPush, weight),
       IMPORTON_LAYOUT(HitKeyPush, isGlobal, slotMask, isControlled),
       IMPORTON_LAYOUT(ImportonBoundPush, levels),
       IMPORTON_LAYOUT(ImportonCountPush, slotMask),

@@ -1,0 +1,16 @@
+#version 460
+// Counts the caustic hits of a pilot batch near each importon: what a pass is going to bring there.
+#extension GL_GOOGLE_include_directive : require
+#include "bindings/importance.glsl"
+#include "bindings/selection.glsl"
+
+layout(scalar, binding = kBindingImportonHitsOut) buffer HitsBlock { uint hitsOut[]; };
+layout(push_constant, scalar) uniform PushBlock { HitCountPush push; };
+
+void main() {
+  const uint i = invocationIndex();
+  if (i >= counters[kCounterSelected]) return;
+  const MapPoint point = recordPoints[selection[i]];
+  const uint importon = importonAt(importonFrame(), params.causticMap.importonLevels, point.position, mapPointNormal(point.packed));
+  if (importon != kNone) atomicAdd(hitsOut[importon], push.weight);
+}
