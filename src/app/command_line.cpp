@@ -72,6 +72,7 @@ void Parser::addInfo() {
       ->check(notEmpty())
       ->type_name("F.exr");
   infoApp->add_flag("--json", info.isJson, "as JSON");
+  addOutsideFilesFlag(*infoApp, info.job);
 }
 
 void Parser::addCompare() {

@@ -23,7 +23,7 @@ ExitStatus runConverge(const ConvergeCommand& command, const std::atomic<bool>& 
   Log log(command.verbosity);
   const Image reference = takeColor(readExr(command.reference), "", command.reference.string());
   const Clock::time_point loadStart = Clock::now();
-  const Scene scene = loadGltf(command.scene, log);
+  const Scene scene = loadGltf(command.scene, log, std::nullopt, outsideFiles(command.configs.front().job));
   ConvergePlan plan{{}, command.times, command.seeds, 0};
   plan.loadSeconds = std::chrono::duration<double>(Clock::now() - loadStart).count();
   for (const NamedJob& config : command.configs) plan.configs.push_back({config.name, config.options, config.job});

@@ -78,7 +78,7 @@ ExitStatus runRender(const RenderCommand& command, const std::atomic<bool>& isIn
   warnOfUnusedOptions(job, log);
 
   const Clock::time_point loadStart = Clock::now();
-  const Scene scene = loadGltf(job.scene, log, readEnvironmentFile(job.environment));
+  const Scene scene = loadGltf(job.scene, log, readEnvironmentFile(job.environment), outsideFiles(job));
   const double loadSeconds = secondsSince(loadStart);
   if (!scene.hasCameraInFile) log.note("the scene has no camera: it is seen from one that frames it");
 

@@ -270,6 +270,11 @@ bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) 
 
 }  // namespace
 
+CLI::Option* addOutsideFilesFlag(CLI::App& app, RenderJob& job) {
+  return app.add_flag("--allow-outside-files", job.allowsOutsideFiles,
+                      "let SCENE name buffers and images outside its folder, which\nonly a scene that you trust should");
+}
+
 void addRenderOptions(CLI::App& app, RenderCommand& command) {
   app.add_option("SCENE", command.job.scene, "the scene, .gltf or .glb")
       ->required()
@@ -279,6 +284,7 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
   addImageOptions(app, command.job);
   addFilterOption(app, command.job);
   addLightOptions(app, command.job);
+  addOutsideFilesFlag(app, command.job)->group("Machine");
   addStoppingOptions(app, command.job);
   addMethodOptions(app, command.job);
   addDensityOptions(app, command.job);

@@ -10,6 +10,9 @@ namespace importon {
 /// Declares the options on `app`; parsing writes to `command`, which must outlive `app`.
 void addRenderOptions(CLI::App& app, RenderCommand& command);
 
+/// Declares --allow-outside-files.
+CLI::Option* addOutsideFilesFlag(CLI::App& app, RenderJob& job);
+
 /// What no single option can check: outputs that name the same file or the scene, options that contradict each
 /// other. Throws UsageError.
 void checkRenderCommand(const RenderCommand& command);

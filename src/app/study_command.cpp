@@ -13,7 +13,7 @@ ExitStatus runStudy(const StudyCommand& command, const std::atomic<bool>& isInte
   constexpr std::array kFiles{"study.json", "index.html"};
   makeFolder(command.folder, kFiles);
   Log log(command.verbosity);
-  const Scene scene = loadGltf(command.scene, log);
+  const Scene scene = loadGltf(command.scene, log, std::nullopt, outsideFiles(command.configs.front().job));
   std::vector<StudyConfig> configs;
   for (const NamedJob& config : command.configs) configs.push_back({config.name, config.options, config.job});
   const auto tell = [&log](const std::string& line) { log.note(line); };

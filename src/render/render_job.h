@@ -58,6 +58,7 @@ struct RenderJob {
   int maxDepth = 16;                         // scattering events
   std::vector<std::string> aovs;
   std::uint32_t seed = 0;
+  bool allowsOutsideFiles = false;           // the scene may name files outside its folder
   std::string device;
   int threads = 0;                           // 0: all
   std::optional<std::uint64_t> memoryMiB;    // cap for photon maps

@@ -102,7 +102,7 @@ tinygltf::Model parseModel(std::span<const std::byte> bytes, const GltfContainer
 }  // namespace
 
 GltfDocument readDocument(std::span<const std::byte> bytes, const std::filesystem::path& name,
-                          const std::filesystem::path& folder, Log& log) {
+                          const AssetFolder& folder, Log& log) {
   GltfDocument document{GltfSource(printable(name.string(), 4096)), {}, {}};
   const GltfSource& source = document.source;
   const GltfContainer container = readContainer(bytes, source);

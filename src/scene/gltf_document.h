@@ -9,6 +9,7 @@
 
 #include "base/log.h"
 #include "scene/gltf_source.h"
+#include "scene/uri.h"
 
 namespace importon {
 
@@ -21,8 +22,8 @@ struct GltfDocument {
   tinygltf::Model model;
 };
 
-/// Parses and checks. `folder` resolves relative URIs, empty: none allowed. Throws SceneError.
+/// Parses and checks. Throws SceneError.
 [[nodiscard]] GltfDocument readDocument(std::span<const std::byte> bytes, const std::filesystem::path& name,
-                                        const std::filesystem::path& folder, Log& log);
+                                        const AssetFolder& folder, Log& log);
 
 }  // namespace importon

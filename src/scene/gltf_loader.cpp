@@ -86,7 +86,8 @@ void addCameras(const GltfDocument& document, std::span<const PlacedNode> nodes,
 
 }  // namespace
 
-Scene loadGltf(const std::filesystem::path& file, Log& log, std::optional<EnvironmentMap> environment) {
+Scene loadGltf(const std::filesystem::path& file, Log& log, std::optional<EnvironmentMap> environment,
+               OutsideFiles outside) {
   std::error_code error;
   const std::string name = printable(file.string(), 4096);
   if (!std::filesystem::exists(file, error)) {
@@ -96,14 +97,14 @@ Scene loadGltf(const std::filesystem::path& file, Log& log, std::optional<Enviro
     throw SceneError("this is not a file", name, "name a .gltf or .glb file");
   }
   const std::vector<unsigned char> bytes = readWholeFile(file, name);
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  const AssetFolder folder{file.has_parent_path() ? file.parent_path() : std::filesystem::path("."), outside};
   return loadGltfFromMemory(std::as_bytes(std::span(bytes)), file, folder, log, std::move(environment));
 }
 
 Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem::path& name,
-                         const std::filesystem::path& baseFolder, Log& log,
+                         const AssetFolder& folder, Log& log,
                          std::optional<EnvironmentMap> environment) {
-  const GltfDocument document = readDocument(bytes, name, baseFolder, log);
+  const GltfDocument document = readDocument(bytes, name, folder, log);
   const std::vector<PlacedNode> nodes = placeNodes(document);
   MeshLibrary library(document, log);
   std::vector<MeshInstance> instances = library.instances(nodes);

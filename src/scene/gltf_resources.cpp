@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 7> kMediaTypes = {"application/octet-stre
 
 class Reader {
  public:
-  Reader(std::size_t binaryChunkBytes, const std::filesystem::path& folder, const GltfSource& source)
+  Reader(std::size_t binaryChunkBytes, const AssetFolder& folder, const GltfSource& source)
       : binaryChunkBytes_(binaryChunkBytes), folder_(folder), source_(source) {}
 
   void readBuffer(const Json& buffer, std::size_t index) {
@@ -92,14 +92,15 @@ class Reader {
   }
 
   std::vector<unsigned char>& readExternal(const std::string& uri, const std::string& where) {
-    if (folder_.empty()) {
+    if (folder_.path.empty()) {
       throw SceneError(fmt::format("the file refers to '{}' but is read from memory", printable(uri)), where,
                        "embed buffers and images");
     }
-    const std::optional<std::filesystem::path> file = resolveInFolder(folder_, percentDecode(uri));
-    if (!file) {
+    const std::optional<std::filesystem::path> file = resolveUri(folder_, percentDecode(uri));
+    if (!file || (folder_.outside == OutsideFiles::refused && leadsOutside(folder_.path, *file))) {
       throw SceneError(fmt::format("the URI '{}' leaves the folder of the file", printable(uri)), where,
-                       "put the file beside the glTF and name it by a relative path");
+                       "put the file beside the glTF and name it by a relative path, or trust the scene and use "
+                       "--allow-outside-files");
     }
     std::error_code error;
     if (!std::filesystem::is_regular_file(*file, error)) {
@@ -110,7 +111,7 @@ class Reader {
   }
 
   std::size_t binaryChunkBytes_;
-  const std::filesystem::path& folder_;
+  const AssetFolder& folder_;
   const GltfSource& source_;
   GltfResources resources_;
 };
@@ -118,7 +119,7 @@ class Reader {
 }  // namespace
 
 GltfResources readResources(const Json& document, std::size_t binaryChunkBytes,
-                            const std::filesystem::path& folder, const GltfSource& source) {
+                            const AssetFolder& folder, const GltfSource& source) {
   Reader reader(binaryChunkBytes, folder, source);
   if (document.contains("buffers")) {
     const Json& buffers = document["buffers"];

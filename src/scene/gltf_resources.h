@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/gltf_source.h"
+#include "scene/uri.h"
 
 namespace importon {
 
@@ -15,11 +16,11 @@ namespace importon {
 using GltfResources = std::deque<std::vector<unsigned char>>;
 
 /// Checks every buffer and image and reads the external ones. `binaryChunkBytes` is the size of the .glb's BIN
-/// chunk, 0 if there is none. `folder` empty: external files are refused. The document has passed checkSchema.
+/// chunk, 0 if there is none. The document has passed checkSchema.
 /// Throws SceneError on a missing or short file, a URI that leaves the folder, a malformed data URI, a buffer
 /// that is longer than its data.
 [[nodiscard]] GltfResources readResources(const nlohmann::json& document, std::size_t binaryChunkBytes,
-                                          const std::filesystem::path& folder, const GltfSource& source);
+                                          const AssetFolder& folder, const GltfSource& source);
 
 /// The bytes of a regular file. Throws SceneError; `where` as in SceneError.
 [[nodiscard]] std::vector<unsigned char> readWholeFile(const std::filesystem::path& file,

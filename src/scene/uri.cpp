@@ -71,16 +71,21 @@ std::string percentDecode(std::string_view uri) {
   return decoded;
 }
 
-std::optional<std::filesystem::path> resolveInFolder(const std::filesystem::path& folder,
-                                                     const std::string& decodedUri) {
-  const std::filesystem::path relative(decodedUri);
-  const bool isOutside = decodedUri.empty() || decodedUri.find('\0') != std::string::npos ||
-                         decodedUri.find('\\') != std::string::npos || relative.is_absolute() ||
-                         hasScheme(decodedUri);
-  if (isOutside) return std::nullopt;
-  const std::filesystem::path normal = relative.lexically_normal();
-  if (normal.empty() || *normal.begin() == "..") return std::nullopt;
-  return folder / normal;
+std::optional<std::filesystem::path> resolveUri(const AssetFolder& folder, const std::string& decodedUri) {
+  const bool isNoPath = decodedUri.empty() || decodedUri.find('\0') != std::string::npos ||
+                        decodedUri.find('\\') != std::string::npos || hasScheme(decodedUri);
+  if (isNoPath) return std::nullopt;
+  const std::filesystem::path normal = std::filesystem::path(decodedUri).lexically_normal();
+  const bool isOutside = normal.empty() || normal.is_absolute() || *normal.begin() == "..";
+  if (isOutside && folder.outside == OutsideFiles::refused) return std::nullopt;
+  return folder.path / normal;
+}
+
+bool leadsOutside(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::path inside = std::filesystem::weakly_canonical(folder, error);
+  const std::filesystem::path found = std::filesystem::weakly_canonical(file, error);
+  return std::mismatch(inside.begin(), inside.end(), found.begin(), found.end()).first != inside.end();
 }
 
 }  // namespace importon

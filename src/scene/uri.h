@@ -25,9 +25,20 @@ struct DataUri {
 /// Replaces %XX by the byte. What isn't a valid escape stays as it is.
 [[nodiscard]] std::string percentDecode(std::string_view uri);
 
-/// The file that a decoded relative URI names below `folder`; empty if it would leave the folder (absolute, a
-/// drive, "..", a scheme) or holds a NUL.
-[[nodiscard]] std::optional<std::filesystem::path> resolveInFolder(const std::filesystem::path& folder,
-                                                                   const std::string& decodedUri);
+/// Whether an asset may name files outside its folder.
+enum class OutsideFiles { refused, allowed };
+
+/// Where the external files of an asset lie.
+struct AssetFolder {
+  std::filesystem::path path;  // relative URIs start here; empty: no external files
+  OutsideFiles outside = OutsideFiles::refused;
+};
+
+/// The file that a decoded URI names; empty if it is no path (a scheme, a drive, a NUL) or leaves the folder by its
+/// words (absolute, "..") where that is refused.
+[[nodiscard]] std::optional<std::filesystem::path> resolveUri(const AssetFolder& folder, const std::string& decodedUri);
+
+/// True where symbolic links lead from `folder` to a file outside it.
+[[nodiscard]] bool leadsOutside(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 }  // namespace importon

@@ -94,6 +94,17 @@ TEST(Cli, AFullDiskBehindStdoutIsAnOutputError) {
   expectError(outcome, 4, "standard output");
 }
 
+TEST(Cli, FilesOutsideTheScenesFolderNeedAFlag) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "scene");
+  auto scene = nlohmann::json::parse(test::readFile(kScene));
+  scene["buffers"][0]["uri"] = (std::filesystem::path(kScene).parent_path() / scene["buffers"][0]["uri"].get<std::string>()).string();
+  writeFile(folder / "scene/scene.gltf", scene.dump());
+  expectError(runImporton({"info", folder / "scene/scene.gltf"}), 2, "--allow-outside-files");
+  const Outcome outcome = runImporton({"info", folder / "scene/scene.gltf", "--allow-outside-files"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
 TEST(Cli, InfoNeedsNoDevice) {
   const Outcome text = runImporton({"info", kScene}, {.environment = kNoDriver});
   EXPECT_EQ(text.status, 0) << text.err;

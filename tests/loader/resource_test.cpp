@@ -17,10 +17,10 @@ class ExternalFiles : public testing::Test {
   void setBuffer(const std::string& uri) {
     builder_.json["buffers"] = Json::array({{{"byteLength", builder_.binary.size()}, {"uri", uri}}});
   }
-  Scene loadIt() {
+  Scene loadIt(OutsideFiles outside = OutsideFiles::refused) {
     writeFile(folder_ / "scene.gltf", builder_.json.dump());
     Log log(Log::Verbosity::quiet);
-    return loadGltf(folder_ / "scene.gltf", log);
+    return loadGltf(folder_ / "scene.gltf", log, std::nullopt, outside);
   }
   std::string error() {
     try {
@@ -90,6 +90,32 @@ TEST_F(ExternalFiles, UrisThatLeaveTheFolderAreRefused) {
         std::string("http://localhost/data.bin"), std::string("sub/../../data.bin"), std::string("")}) {
     setBuffer(uri);
     EXPECT_NE(error().find("leaves the folder"), std::string::npos) << uri;
+  }
+}
+
+TEST_F(ExternalFiles, LinksThatLeaveTheFolderAreRefused) {
+  const TemporaryFolder elsewhere;
+  writeFile(elsewhere / "data.bin", text(builder_.binary));
+  std::filesystem::create_symlink(elsewhere / "data.bin", folder_ / "link.bin");
+  std::filesystem::create_directory_symlink(elsewhere.path(), folder_ / "sub");
+  std::filesystem::create_symlink("data.bin", folder_ / "inside.bin");
+  for (const char* uri : {"link.bin", "sub/data.bin"}) {
+    setBuffer(uri);
+    EXPECT_NE(error().find("leaves the folder"), std::string::npos) << uri;
+    EXPECT_EQ(loadIt(OutsideFiles::allowed).triangles.size(), 1u) << uri;
+  }
+  setBuffer("inside.bin");
+  EXPECT_EQ(error(), "");
+}
+
+TEST_F(ExternalFiles, OutsideFilesAreReadWhereAllowed) {
+  const TemporaryFolder elsewhere;
+  writeFile(elsewhere / "data.bin", text(builder_.binary));
+  const std::string absolute = elsewhere / "data.bin", relative = "../" + elsewhere.path().filename().string() + "/data.bin";
+  for (const std::string& uri : {absolute, relative}) {
+    setBuffer(uri);
+    EXPECT_NE(error().find("--allow-outside-files"), std::string::npos) << uri;
+    EXPECT_EQ(loadIt(OutsideFiles::allowed).triangles.size(), 1u) << uri;
   }
 }
 

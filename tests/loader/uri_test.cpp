@@ -13,16 +13,26 @@ TEST(Uri, DecodesPercentEscapesAndLeavesTheRest) {
 }
 
 TEST(Uri, StaysInTheFolderOfTheAsset) {
-  const std::filesystem::path folder = "/assets";
-  EXPECT_EQ(resolveInFolder(folder, "a/b.bin"), folder / "a/b.bin");
-  EXPECT_EQ(resolveInFolder(folder, "a/../b.bin"), folder / "b.bin");
-  EXPECT_EQ(resolveInFolder(folder, "./b.bin"), folder / "b.bin");
-  EXPECT_EQ(resolveInFolder(folder, "..b"), folder / "..b");
+  const AssetFolder folder{"/assets"};
+  EXPECT_EQ(resolveUri(folder, "a/b.bin"), "/assets/a/b.bin");
+  EXPECT_EQ(resolveUri(folder, "a/../b.bin"), "/assets/b.bin");
+  EXPECT_EQ(resolveUri(folder, "./b.bin"), "/assets/b.bin");
+  EXPECT_EQ(resolveUri(folder, "..b"), "/assets/..b");
   for (const char* outside : {"", "..", "../b.bin", "a/../../b.bin", "/etc/passwd", "//host/b", "C:/b.bin",
                               "http://host/b.bin", "file:b.bin", "..\\b.bin"}) {
-    EXPECT_FALSE(resolveInFolder(folder, outside)) << outside;
+    EXPECT_FALSE(resolveUri(folder, outside)) << outside;
   }
-  EXPECT_FALSE(resolveInFolder(folder, std::string("a\0b", 3)));
+  EXPECT_FALSE(resolveUri(folder, std::string("a\0b", 3)));
+}
+
+TEST(Uri, LeavesTheFolderWhereAllowed) {
+  const AssetFolder folder{"/assets", OutsideFiles::allowed};
+  EXPECT_EQ(resolveUri(folder, "../b.bin"), "/assets/../b.bin");
+  EXPECT_EQ(resolveUri(folder, "/other/b.bin"), "/other/b.bin");
+  EXPECT_EQ(resolveUri(folder, "a/b.bin"), "/assets/a/b.bin");
+  for (const char* noPath : {"", "C:/b.bin", "http://host/b.bin", "file:b.bin", "..\\b.bin"}) {
+    EXPECT_FALSE(resolveUri(folder, noPath)) << noPath;
+  }
 }
 
 TEST(Uri, TakesDataUrisApart) {
