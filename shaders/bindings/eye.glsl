@@ -112,7 +112,7 @@ Ray shadowRay(Surface s, LightSample l, uint id) {
 
 /// A shadow ray towards a light, with what it brings if nothing is in the way. [Veach 1997, ch. 9]
 void sampleDirectLight(uint slot, inout PathState path, Surface s, Bsdf b, mat3 frame, Ray ray) {
-  const uint stream = eyeStream(path.id), index = eyeIndex(path.id, path.source);
+  const uint stream = eyeStream(path.id, path.source), index = eyeIndex(path.id, path.source);
   float probability;
   vec2 u = sequencePoint(stream, index, eventPair(path.flags, kPairLight));
   const uint light = chooseLight(params.lightCount, s.position, u.x, probability, path.lightWeight);

@@ -18,12 +18,12 @@ void main() {
   // All pixels of the tile, then all again for the next path of each.
   const uint id = push.first + slot % push.pixels, sampleOfPixel = push.sampleOfPixel + slot / push.pixels;
   const uint index = eyeIndex(id, sampleOfPixel);
-  const vec2 u = sequencePoint(eyeStream(id), index, kPairFirst);
+  const vec2 u = sequencePoint(eyeStream(id, sampleOfPixel), index, kPairFirst);
   const vec2 size = vec2(params.width, params.height);
   const bool isImporton = kEyeMode == kEyeImportons;
   const vec2 corner = vec2(id % params.width, id / params.width);
   Ray ray = cameraRay(params, isImporton ? u * size : corner + (push.isCentred != 0u ? vec2(0.5) : pixelPoint(kPixelFilter, u)));
-  ray.id = hash(eyeStream(id) ^ hash(index));
+  ray.id = hash(eyeStream(id, sampleOfPixel) ^ hash(index));
 
   PathState path;
   // Importons: the whole image emits as many units as it has pixels.

@@ -19,7 +19,7 @@ void main() {
   if (push.isGlobal != 0u) map = params.globalMap;
   const float importance = importanceAt(map, point.position, mapPointNormal(point.packed));
   const uint photon = records[at].kind >> (kRecordRankShift + 5u);
-  const vec2 u = sequencePoint(photonStream(push.stream), photonIndex(map, photon), kPairDirection);
+  const vec2 u = sequencePoint(photonStream(push.stream, map, photon), photonIndex(map, photon), kPairDirection);
   const GuidedPoint p = sampleGuide(u, params.lightCount, push.bins);
   const float flux = mean(records[at].flux) * p.density * float(map.photonsPerPass) / params.totalPower;
   const float share = importance / (importance + push.meanImportance);

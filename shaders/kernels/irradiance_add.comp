@@ -1,8 +1,10 @@
 #version 460
-// Adds the flux of photon hits to the surface cells that they fell in: exact, and the same in any order.
+// Adds the flux of photon hits to the surface cells that they fell in: exact, and the same in any order. Flux becomes
+// whole units at random, up or down with the right mean, so that light of less than a unit a photon is not lost.
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/records.glsl"
 #include "lib/flux.glsl"
+#include "lib/hash.glsl"
 
 layout(scalar, binding = kBindingRecordCells) readonly buffer RecordCellsBlock { uvec2 recordCells[]; };
 layout(scalar, binding = kBindingIrradiance) buffer IrradianceBlock { uint irradiance[]; };
@@ -18,10 +20,11 @@ void main() {
   for (uint i = begin; i < end; ++i) {
     if ((records[i].kind & kRecordGlobal) == 0u) continue;
     const uvec2 cell = recordCells[i];
+    const uint random = hashCombine(params.pass, records[i].kind);
     const vec3 units = records[i].flux * (uintBitsToFloat(cell.y) * params.irradianceUnits);
     const uint at = 8u * cell.x;
     for (uint c = 0u; c < 3u; ++c) {
-      const uvec2 add = fixedFromFloat(units[c] + 0.5);
+      const uvec2 add = fixedFromFloat(units[c] + unitFloat(hash(random + c)));
       const uint before = atomicAdd(irradiance[at + 2u * c], add.x);
       const uint high = add.y + uint(before + add.x < before);
       if (high != 0u) atomicAdd(irradiance[at + 2u * c + 1u], high);

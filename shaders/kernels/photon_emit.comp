@@ -29,7 +29,7 @@ void main() {
   const uint photon = push.firstPhoton + slot;
   MapSettings map = params.causticMap;
   if (push.isGlobal != 0u) map = params.globalMap;
-  const uint stream = photonStream(push.stream), index = photonIndex(map, photon);
+  const uint stream = photonStream(push.stream, map, photon), index = photonIndex(map, photon);
   vec2 place = sequencePoint(stream, index, kPairPosition), direction = sequencePoint(stream, index, kPairDirection);
   uint light;
   float density;

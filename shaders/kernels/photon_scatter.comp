@@ -50,7 +50,8 @@ const float kMaxAdjoint = 4.0;
 
 /// Scatters the photon; false: absorbed. Throughput keeps its mean by Russian roulette.
 bool scatter(Surface s, Bsdf b, mat3 frame, vec3 direction, inout PathState path, out Ray ray) {
-  const uint stream = photonStream(push.stream), index = photonIndex(mapOfPhotons(), path.id);
+  const MapSettings map = mapOfPhotons();
+  const uint stream = photonStream(push.stream, map, path.id), index = photonIndex(map, path.id);
   const vec2 choice = sequencePoint(stream, index, eventPair(path.flags, kPairLobe));
   const vec3 towardsLight = -direction * frame;
   const BsdfSample next = sampleBsdf(b, towardsLight, choice.x, sequencePoint(stream, index, eventPair(path.flags, kPairScatter)));

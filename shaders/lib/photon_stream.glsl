@@ -3,7 +3,10 @@
 #define IMPORTON_LIB_PHOTON_STREAM_GLSL
 #include "lib/path_pairs.glsl"
 
-uint photonStream(uint purpose) { return hashCombine(params.seed, purpose); }
-uint photonIndex(MapSettings map, uint photon) { return map.firstPhoton + photon; }
+uvec2 photonNumber(MapSettings map, uint photon) { return longIndex(params.pass, map.photonsPerPass, photon); }
+uint photonStream(uint purpose, MapSettings map, uint photon) {
+  return streamFor(hashCombine(params.seed, purpose), photonNumber(map, photon));
+}
+uint photonIndex(MapSettings map, uint photon) { return photonNumber(map, photon).x; }
 
 #endif

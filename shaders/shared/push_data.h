@@ -259,6 +259,7 @@ struct FilmAddPush {
   uint count;   // pixels of the tile
   uint samples; // paths of each that are done
   uint offset;  // first film pixel of the half
+  uint first;   // of each pixel's paths in this pass, before these
 };
 
 /// kernels/aov_surface.comp

@@ -17,7 +17,6 @@ struct MapSettings {
   float lookupPhotons;    // M: photons within a lookup radius where the map has its required density
   float fewestPhotons;    // as many on average where the map is thin
   uint photonsPerPass;    // emitted for the map
-  uint firstPhoton;       // of the pass, counted over all passes: its place in the sequence, modulo 2^32
   uint pilotPasses;       // whose hits were counted before the first pass: 0 or 1
 };
 

@@ -89,7 +89,7 @@ void traceImage(const Stage& stage, const EyeMaps& maps, const EyeSamples& sampl
     queues.swap();
   }
   table.set(kBindingFilm, film);
-  stage.recorder.dispatch(stage.kernels.filmAdd, table, count, FilmAddPush{count, samples.count, filmOffset});
+  stage.recorder.dispatch(stage.kernels.filmAdd, table, count, FilmAddPush{count, samples.count, filmOffset, samples.first});
 }
 
 void traceAovs(const Stage& stage, const EyeMaps& maps, uint first, uint count, const gpu::Buffer& aov) {

@@ -1,6 +1,7 @@
 #include "render/film.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "base/error.h"
 #include "fmt/format.h"
@@ -60,9 +61,9 @@ HalfMeans indirectMeans(std::span<const FilmPixel> halves, const FilmReading& re
 
 FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& reading) {
   const std::size_t pixels = halves.size() / 2;
-  const int passes = reading.passes * reading.samples;
-  const int evenPasses = (reading.passes + 1) / 2 * reading.samples;
-  const auto inverse = [](int n) { return n > 0 ? 1.0f / static_cast<float>(n) : 0.0f; };
+  const std::int64_t passes = std::int64_t{reading.passes} * reading.samples;
+  const std::int64_t evenPasses = std::int64_t{(reading.passes + 1) / 2} * reading.samples;
+  const auto inverse = [](std::int64_t n) { return n > 0 ? 1.0f / static_cast<float>(n) : 0.0f; };
   const float scale = inverse(passes), perEven = inverse(evenPasses), perOdd = inverse(passes - evenPasses);
   const float evenShare = static_cast<float>(evenPasses) * scale;
   HalfMeans means = indirectMeans(halves, reading, perEven, perOdd);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "base/parallel.h"
 
@@ -109,21 +110,22 @@ std::vector<float> blur(const std::vector<float>& values, int width, int height,
 }
 
 /// Light of a half from its irradiance, with the mean modulation of both.
-vec3 modulate(const FilmPixel& a, const FilmPixel& b, vec3 irradiance, int passes) {
+vec3 modulate(const FilmPixel& a, const FilmPixel& b, vec3 irradiance, std::int64_t passes) {
   return (a.modulation + b.modulation) * irradiance / static_cast<float>(passes);
 }
 
 }  // namespace
 
 FilteredIndirect filterIndirect(std::span<const FilmPixel> film, const FilmShape& shape, int threads) {
-  const int width = shape.width, passes = shape.passes * shape.samples;
+  const int width = shape.width;
+  const std::int64_t passes = std::int64_t{shape.passes} * shape.samples;
   const std::size_t pixels = film.size() / 2;
   Halves h{film.first(pixels), film.last(pixels), width, static_cast<int>(pixels) / width, std::vector<Guide>(pixels)};
   for (std::size_t i = 0; i < pixels; ++i) h.guides[i] = makeGuide(h.even[i], h.odd[i]);
 
   std::vector<float> best(pixels);
   FilteredIndirect result{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
-  const float perEven = static_cast<float>((shape.passes + 1) / 2 * shape.samples);
+  const float perEven = static_cast<float>(std::int64_t{(shape.passes + 1) / 2} * shape.samples);
   const float perOdd = static_cast<float>(passes) - perEven;
   for (const int radius : kRadii) {
     std::vector<Estimate> estimates(pixels);

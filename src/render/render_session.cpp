@@ -167,8 +167,6 @@ void RenderSession::updateGuides() {
 void RenderSession::startPass(int pass) {
   parameters_.pass = static_cast<uint>(pass);
   parameters_.densityScale = std::cbrt(static_cast<float>(pass + 1));  // r² shrinks as its inverse
-  parameters_.globalMap.firstPhoton = static_cast<uint>(pass) * plan_.photons;
-  parameters_.causticMap.firstPhoton = static_cast<uint>(pass) * plan_.causticPhotons;
   if (features_.readsCells && cellSizes_->hits) prepareCells(pass);
   uploadParameters();
   recorder_->fill(work_->counters, 0);

@@ -33,7 +33,7 @@ std::vector<HostLayout> hostLayouts() {
       IMPORTON_LAYOUT(BvhTriangle, v0, triangle, v1, next, v2, kind),
       // shared/render_data.h
       IMPORTON_LAYOUT(MapSettings, photonsPerPixel, constantDensity, densityFloor, importonLevels,
-                      recordMask, importonFlux, densityLimit, lookupPhotons, fewestPhotons, photonsPerPass, firstPhoton,
+                      recordMask, importonFlux, densityLimit, lookupPhotons, fewestPhotons, photonsPerPass,
                       pilotPasses),
       IMPORTON_LAYOUT(Parameters, cameraOrigin, cameraIsOrthographic, cameraForward, width, cameraRight,
                       height, cameraUp, seed, gridOrigin, gridExtent, sceneCentre, sceneRadius,
@@ -91,7 +91,7 @@ std::vector<HostLayout> hostLayouts() {
       IMPORTON_LAYOUT(SetCounterPush, counter, value, a, b, limit),
       IMPORTON_LAYOUT(SortCountPush, source, shift),
       IMPORTON_LAYOUT(SortScatterPush, source, shift, isFirst),
-      IMPORTON_LAYOUT(FilmAddPush, count, samples, offset),
+      IMPORTON_LAYOUT(FilmAddPush, count, samples, offset, first),
       IMPORTON_LAYOUT(AovSurfacePush, count),
       IMPORTON_LAYOUT(AovCellsPush, count),
       IMPORTON_LAYOUT(AovMapPush, count, isGlobal, levels),

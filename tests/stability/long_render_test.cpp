@@ -1,0 +1,132 @@
+// Renders of a day: the pass counter jumps to where so many passes would have led.
+#include <cmath>
+#include <cstring>
+
+#include "render/render_session.h"
+#include "render_helper.h"
+
+namespace importon::test {
+namespace {
+
+constexpr int kSize = 12;
+
+class LongRenders : public RenderTest {
+ protected:
+  Log log_{Log::Verbosity::quiet};
+
+  static void renderPasses(RenderSession& session, int first, int count) {
+    for (int pass = first; pass < first + count; ++pass) {
+      session.shootPhotons(pass);
+      session.gatherImage(pass);
+      session.countPass(pass);
+    }
+  }
+
+  /// The image of `count` passes from pass `first` on, an even number.
+  Image passesFrom(int first, int count, const RenderJob& job, const Scene& scene) {
+    RenderSession session(job, scene, log_);
+    if (session.hasMaps()) session.findImportance();
+    renderPasses(session, first, count);
+    return session.resolveColor(count);
+  }
+};
+
+std::vector<FilmPixel> filmOf(const Checkpoint& checkpoint) {
+  const std::vector<std::byte>& bytes = checkpoint.find("film 0")->bytes;
+  std::vector<FilmPixel> film(bytes.size() / sizeof(FilmPixel));
+  std::memcpy(static_cast<void*>(film.data()), bytes.data(), bytes.size());
+  return film;
+}
+
+/// As if each pass had been done 2^exponent times.
+Checkpoint repeated(Checkpoint checkpoint, int exponent) {
+  for (CheckpointBlock& block : checkpoint.blocks) {
+    if (block.name != "film 0") continue;
+    std::vector<float> values(block.bytes.size() / sizeof(float));
+    std::memcpy(values.data(), block.bytes.data(), block.bytes.size());
+    for (float& value : values) value = std::ldexp(value, exponent);
+    std::memcpy(block.bytes.data(), values.data(), block.bytes.size());
+  }
+  checkpoint.passes <<= exponent;
+  return checkpoint;
+}
+
+/// A radiance of 0.1 is 6.4 units in the last place of such sums.
+TEST_F(LongRenders, SumsOfAMillionPassesGoOnToGrow) {
+  const StabilityCase listed(53, "the film after 2^20 passes of 4 samples", "further passes add their light");
+  SceneBuilder builder;
+  builder.square(builder.material(emitter(vec3(0.1f))), {0, 0, 0}, {0, 0, 1}, 4);
+  builder.camera({0, 0, 1}, {0, 0, 0}, 0.8, kSize, kSize);
+  const Scene scene = builder.finish();
+  RenderJob job = makeJob(Integrator::path, 1);
+  job.gather = 4;
+  RenderSession session(job, scene, log_);
+  renderPasses(session, 0, 2);
+  const Checkpoint before = repeated(session.save(2, {}), 19);
+  session.restore(before);
+  constexpr int kMore = 32;
+  renderPasses(session, before.passes, kMore);
+  const std::vector<FilmPixel> old = filmOf(before), grown = filmOf(session.save(before.passes + kMore, {}));
+  Moments added;
+  for (std::size_t i = 0; i < old.size(); ++i)
+    for (int c = 0; c < 3; ++c) added.add(static_cast<double>(grown[i].direct[c]) - static_cast<double>(old[i].direct[c]));
+  EXPECT_TRUE(hasMean(added, static_cast<double>(0.1f) * 4 * kMore / 2));
+  EXPECT_TRUE(isConstant(session.resolveColor(before.passes + kMore), 0.1, 1e-5));
+}
+
+Scene litRoom(int size) {
+  SceneBuilder builder;
+  builder.box(builder.material(diffuse(vec3(0.6f))), {-1, -1, -1}, {1, 1, 1}, Facing::inside);
+  builder.square(builder.material(emitter(vec3(3.0f))), {0, 0.9, 0}, {0, -1, 0}, 0.6);
+  builder.camera({0.1, 0.2, 0.9}, {-0.1, -0.3, -1}, 1.3, size, size);
+  return builder.finish();
+}
+
+/// 2^32 photons, or paths of a pixel, later.
+TEST_F(LongRenders, RandomNumbersDoNotComeAgain) {
+  const StabilityCase listed(54, "2^32 photons, or paths of a pixel, later", "other random numbers, the same mean");
+  const Scene scene = litRoom(4);
+  RenderJob paths = makeJob(Integrator::path, 1);
+  paths.gather = 1 << 11;
+  const std::vector<float> first = valuesOf(passesFrom(0, 2, paths, scene));
+  const std::vector<float> later = valuesOf(passesFrom(1 << 21, 2, paths, scene));
+  Moments differences;
+  for (std::size_t i = 0; i < first.size(); ++i) differences.add(static_cast<double>(later[i] - first[i]));
+  EXPECT_GT(differences.variance(), 0);
+  EXPECT_TRUE(hasMean(differences, 0));
+  const RenderJob photons = makeJob(Integrator::photon, 1);
+  RenderSession session(photons, scene, log_);
+  session.findImportance();
+  std::uint64_t counted = 0;
+  const auto hitsOf = [&](int pass) {
+    session.shootPhotons(pass);
+    session.countPass(pass);
+    const std::uint64_t hits = session.stats().global.hits - counted;
+    counted = session.stats().global.hits;
+    return hits;
+  };
+  EXPECT_NE(hitsOf(0), hitsOf(1 << 19));
+}
+
+/// A photon of the weak light is less than a hundredth of a unit of the cells' power by then.
+TEST_F(LongRenders, SlowCellsKeepTheWeakestLight) {
+  const StabilityCase listed(55, "light 1e-8 as strong as a hidden one, after 2^18 passes", "the same mean as at the start");
+  SceneBuilder builder;
+  const uint walls = builder.material(diffuse(vec3(0.5f)));
+  builder.icosphere(walls, {0, 0, 0}, 1, 3, Facing::inside, Shading::flat);
+  builder.icosphere(walls, {3, 0, 0}, 1, 3, Facing::inside, Shading::flat);
+  builder.pointLight({0, 0, 0}, vec3(1.0f));
+  builder.pointLight({3, 0, 0}, vec3(1e8f));
+  builder.camera({0.1, 0.2, 0.5}, {0, 0, -1}, 1.0, kSize, kSize);
+  const Scene scene = builder.finish();
+  RenderJob job = makeJob(Integrator::photon, 2);
+  Moments early, late;
+  for (job.seed = 1; job.seed <= 4; ++job.seed) {
+    early.add(meanOf(passesFrom(0, 2, job, scene)));
+    late.add(meanOf(passesFrom((1 << 18) - 1, 2, job, scene)));
+  }
+  EXPECT_TRUE(haveSameMean(early, late));
+}
+
+}  // namespace
+}  // namespace importon::test
