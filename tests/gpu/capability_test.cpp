@@ -1,0 +1,36 @@
+// What kernels ask of a device beyond Vulkan 1.2 with scalar block layout: nothing, so that subgroup size, 64-bit
+// integers and atomics of any kind cannot matter.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <glslang/SPIRV/spirv.hpp>
+
+#include "kernels/registry.h"
+#include "test_kernels/registry.h"
+
+namespace importon::gpu {
+namespace {
+
+/// Capabilities that a module declares [SPIR-V specification, 2.3 and 3.42.8].
+std::set<std::uint32_t> capabilitiesOf(std::span<const std::uint32_t> spirv) {
+  constexpr std::size_t kHeaderWords = 5;
+  std::set<std::uint32_t> capabilities;
+  for (std::size_t at = kHeaderWords; at < spirv.size(); at += std::max(spirv[at] >> spv::WordCountShift, 1u))
+    if ((spirv[at] & spv::OpCodeMask) == spv::OpCapability) capabilities.insert(spirv[at + 1]);
+  return capabilities;
+}
+
+TEST(Capabilities, OfKernelsAreThoseOfEveryDevice) {
+  const std::set<std::uint32_t> everywhere = {spv::CapabilityShader, spv::CapabilitySampledBuffer, spv::CapabilityImageQuery};
+  for (const std::string_view name : kernels::names())
+    for (const std::uint32_t capability : capabilitiesOf(kernels::spirv(name)))
+      EXPECT_TRUE(everywhere.contains(capability)) << name << " declares capability " << capability;
+}
+
+TEST(Capabilities, AreSeen) {
+  EXPECT_TRUE(capabilitiesOf(test_kernels::spirv("needs_int64")).contains(spv::CapabilityInt64));
+}
+
+}  // namespace
+}  // namespace importon::gpu
