@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdlib>
 #include <stdexcept>
+#include <thread>
 
 namespace importon::test {
 namespace {
@@ -81,9 +82,17 @@ Outcome runImporton(const std::vector<std::string>& arguments, const RunOptions&
   close(out.write);
   close(err.write);
   Outcome outcome;
+  std::thread sender;
+  if (options.delayedSignal.number != 0) {
+    sender = std::thread([&] {
+      std::this_thread::sleep_for(options.delayedSignal.delay);
+      kill(child, options.delayedSignal.number);
+    });
+  }
   collect(child, out.read, err.read, options, outcome);
   close(out.read);
   close(err.read);
+  if (sender.joinable()) sender.join();  // before the child's number is free again
   int status = 0;
   waitpid(child, &status, 0);
   if (WIFEXITED(status)) outcome.status = WEXITSTATUS(status);

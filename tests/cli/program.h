@@ -1,5 +1,6 @@
 /// Runs the importon binary and keeps what it says.
 #pragma once
+#include <chrono>
 #include <functional>
 #include <map>
 #include <string>
@@ -19,6 +20,11 @@ struct RunOptions {
   bool hasTerminal = false;                             // stderr is a terminal
   /// Called with stderr so far, whenever it grows; returns a signal to send, 0: none.
   std::function<int(const std::string& err)> onErr = {};
+  /// Sent so long after the start; 0: none.
+  struct {
+    int number = 0;
+    std::chrono::milliseconds delay{};
+  } delayedSignal = {};
 };
 
 /// Runs `importon ARGUMENTS` and waits.

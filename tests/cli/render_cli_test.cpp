@@ -161,6 +161,17 @@ TEST(CliRender, GivesTheSameBytesForTheSameSeed) {
   EXPECT_NE(readFile(folder / "a.exr"), readFile(folder / "c.exr"));
 }
 
+/// lavapipe takes the number of its threads from the environment; other drivers pass over it.
+TEST(CliRender, GivesTheSameBytesForAnyNumberOfDriverThreads) {
+  const TemporaryFolder folder;
+  for (const char* threads : {"1", "2", "8"}) {
+    const Outcome outcome = runImporton(smallRender(folder / (std::string(threads) + ".exr"), {"--passes", "2"}),
+                                        {.environment = {{"LP_NUM_THREADS", threads}}});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(readFile(folder / (std::string(threads) + ".exr")), readFile(folder / "1.exr"));
+  }
+}
+
 TEST(CliRender, SaysNothingWhenQuiet) {
   const TemporaryFolder folder;
   const Outcome outcome = runImporton(smallRender(folder / "o.exr", {"--passes", "1", "-q"}));

@@ -1,0 +1,157 @@
+// A Vulkan layer that lets a device fail on demand, for tests of how a program ends then. IMPORTON_TEST_FAULT:
+//   lost N        the N-th submission, and all after it, find the device lost
+//   memory MIB    allocations fail once so much is in use
+//   heap MIB      the device says that it has no more memory than that
+#include <vulkan/vk_layer.h>
+#include <vulkan/vulkan.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <mutex>
+#include <string>
+
+namespace {
+
+struct Fault {
+  std::string kind;
+  std::uint64_t limit = 0;
+};
+
+const Fault& fault() {
+  static const Fault read = [] {
+    const char* const text = std::getenv("IMPORTON_TEST_FAULT");
+    const std::string words = text == nullptr ? "none 0" : text;
+    const std::size_t space = words.find(' ');
+    return Fault{words.substr(0, space), std::strtoull(words.c_str() + space, nullptr, 10)};
+  }();
+  return read;
+}
+
+PFN_vkGetInstanceProcAddr nextInstanceProc = nullptr;
+PFN_vkGetDeviceProcAddr nextDeviceProc = nullptr;
+PFN_vkGetPhysicalDeviceMemoryProperties nextMemoryProperties = nullptr;  // asked for later, the loader names this layer's own
+VkInstance instance = VK_NULL_HANDLE;
+VkDevice device = VK_NULL_HANDLE;
+std::atomic<std::uint64_t> submissions{0};
+std::mutex mutex;
+std::map<VkDeviceMemory, std::uint64_t> allocations;  // bytes
+std::uint64_t bytesInUse = 0;
+
+template <class Function>
+Function next(const char* name) {
+  return reinterpret_cast<Function>(nextDeviceProc(device, name));
+}
+
+/// What the loader passes on to the layers: the link to the next one.
+template <class Link>
+Link* findLink(const void* chain, VkStructureType type) {
+  for (auto* at = const_cast<Link*>(static_cast<const Link*>(chain)); at != nullptr;
+       at = const_cast<Link*>(static_cast<const Link*>(at->pNext)))
+    if (at->sType == type && at->function == VK_LAYER_LINK_INFO) return at;
+  return nullptr;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
+                                              VkInstance* created) {
+  auto* const link = findLink<VkLayerInstanceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
+  nextInstanceProc = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
+  link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+  const auto create = reinterpret_cast<PFN_vkCreateInstance>(nextInstanceProc(VK_NULL_HANDLE, "vkCreateInstance"));
+  const VkResult result = create(info, allocator, created);
+  if (result != VK_SUCCESS) return result;
+  instance = *created;
+  nextMemoryProperties = reinterpret_cast<PFN_vkGetPhysicalDeviceMemoryProperties>(
+      nextInstanceProc(instance, "vkGetPhysicalDeviceMemoryProperties"));
+  return result;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
+                                            const VkAllocationCallbacks* allocator, VkDevice* created) {
+  auto* const link = findLink<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
+  nextDeviceProc = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
+  const auto nextProc = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
+  link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+  const auto create = reinterpret_cast<PFN_vkCreateDevice>(nextProc(instance, "vkCreateDevice"));
+  const VkResult result = create(physical, info, allocator, created);
+  if (result == VK_SUCCESS) device = *created;
+  return result;
+}
+
+VKAPI_ATTR void VKAPI_CALL destroyDevice(VkDevice destroyed, const VkAllocationCallbacks* allocator) {
+  const auto destroy = next<PFN_vkDestroyDevice>("vkDestroyDevice");
+  device = VK_NULL_HANDLE;
+  destroy(destroyed, allocator);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL queueSubmit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos, VkFence fence) {
+  if (fault().kind == "lost" && ++submissions >= fault().limit) return VK_ERROR_DEVICE_LOST;
+  return next<PFN_vkQueueSubmit>("vkQueueSubmit")(queue, count, infos, fence);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL allocateMemory(VkDevice of, const VkMemoryAllocateInfo* info,
+                                              const VkAllocationCallbacks* allocator, VkDeviceMemory* memory) {
+  const std::lock_guard lock(mutex);
+  if (fault().kind == "memory" && bytesInUse + info->allocationSize > fault().limit << 20) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+  const VkResult result = next<PFN_vkAllocateMemory>("vkAllocateMemory")(of, info, allocator, memory);
+  if (result != VK_SUCCESS) return result;
+  allocations[*memory] = info->allocationSize;
+  bytesInUse += info->allocationSize;
+  return result;
+}
+
+VKAPI_ATTR void VKAPI_CALL freeMemory(VkDevice of, VkDeviceMemory memory, const VkAllocationCallbacks* allocator) {
+  const std::lock_guard lock(mutex);
+  bytesInUse -= allocations[memory];
+  allocations.erase(memory);
+  next<PFN_vkFreeMemory>("vkFreeMemory")(of, memory, allocator);
+}
+
+VKAPI_ATTR void VKAPI_CALL getMemoryProperties(VkPhysicalDevice physical, VkPhysicalDeviceMemoryProperties* properties) {
+  nextMemoryProperties(physical, properties);
+  if (fault().kind != "heap") return;
+  for (std::uint32_t i = 0; i < properties->memoryHeapCount; ++i)
+    properties->memoryHeaps[i].size = std::min<VkDeviceSize>(properties->memoryHeaps[i].size, fault().limit << 20);
+}
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceProc(VkDevice of, const char* name);
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL instanceProc(VkInstance of, const char* name);
+
+PFN_vkVoidFunction ownProc(const char* name) {
+  static const std::map<std::string, PFN_vkVoidFunction> functions = {
+      {"vkCreateInstance", reinterpret_cast<PFN_vkVoidFunction>(createInstance)},
+      {"vkCreateDevice", reinterpret_cast<PFN_vkVoidFunction>(createDevice)},
+      {"vkDestroyDevice", reinterpret_cast<PFN_vkVoidFunction>(destroyDevice)},
+      {"vkQueueSubmit", reinterpret_cast<PFN_vkVoidFunction>(queueSubmit)},
+      {"vkAllocateMemory", reinterpret_cast<PFN_vkVoidFunction>(allocateMemory)},
+      {"vkFreeMemory", reinterpret_cast<PFN_vkVoidFunction>(freeMemory)},
+      {"vkGetPhysicalDeviceMemoryProperties", reinterpret_cast<PFN_vkVoidFunction>(getMemoryProperties)},
+      {"vkGetDeviceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(deviceProc)},
+      {"vkGetInstanceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(instanceProc)},
+  };
+  const auto found = functions.find(name);
+  return found == functions.end() ? nullptr : found->second;
+}
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceProc(VkDevice of, const char* name) {
+  const PFN_vkVoidFunction own = ownProc(name);
+  return own != nullptr ? own : nextDeviceProc(of, name);
+}
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL instanceProc(VkInstance of, const char* name) {
+  const PFN_vkVoidFunction own = ownProc(name);
+  return own != nullptr ? own : nextInstanceProc(of, name);
+}
+
+}  // namespace
+
+extern "C" __attribute__((visibility("default"))) VkResult vkNegotiateLoaderLayerInterfaceVersion(
+    VkNegotiateLayerInterface* interface) {
+  interface->loaderLayerInterfaceVersion = 2;
+  interface->pfnGetInstanceProcAddr = instanceProc;
+  interface->pfnGetDeviceProcAddr = deviceProc;
+  interface->pfnGetPhysicalDeviceProcAddr = nullptr;
+  return VK_SUCCESS;
+}
