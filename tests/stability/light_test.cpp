@@ -94,5 +94,35 @@ TEST_F(HardLights, SlowMillionTrianglesShineLikeTwo) {
     EXPECT_TRUE(haveSameMean(meansOf(1, integrator), meansOf(708, integrator), 2));
 }
 
+/// Walls of A glow with radiance 1; a slit lets light into B.
+TEST_F(HardLights, SlowSlitFillsTheRoomBehindIt) {
+  const StabilityCase listed(24, "a 1 mm slit between two rooms", "power behind it pi L A_slit / (1 - albedo)");
+  constexpr double kSlit = 1e-3, kAlbedo = 0.5, kGap = 1e-6;  // m; the gap keeps the rooms' walls apart
+  SceneBuilder builder;
+  const uint glowing = builder.material(emitter(vec3(1.0f))), grey = builder.material(diffuse(vec3(static_cast<float>(kAlbedo))));
+  // Each wall between the rooms is two parts, above and below the slit.
+  for (const double side : {-1.0, 1.0}) {
+    const uint material = side < 0 ? glowing : grey;
+    builder.quad(material, {side * kGap, -1, side}, {0, 0, -2 * side}, {0, 1 - kSlit / 2, 0});
+    builder.quad(material, {side * kGap, kSlit / 2, side}, {0, 0, -2 * side}, {0, 1 - kSlit / 2, 0});
+    builder.square(material, {2 * side, 0, 0}, {-side, 0, 0}, 2);
+    for (const double s : {-1.0, 1.0}) {
+      builder.square(material, {side, s, 0}, {0, -s, 0}, 2);
+      builder.square(material, {side, 0, s}, {0, 0, -s}, 2);
+    }
+  }
+  builder.camera({1.8, 0.5, 0.5}, {0.5, -0.2, -0.2}, 1.2, kSize, kSize);
+  const Scene scene = builder.finish();
+  for (const EmissionChoice emission : {EmissionChoice::power, EmissionChoice::guided}) {
+    RenderJob job = makeJob(Integrator::photon, 1);
+    job.photons = 1u << 18;
+    job.importons = 1u << 14;
+    job.emission = emission;
+    job.maxDepth = 24;
+    const auto power = [](const Rendered& r) { return std::vector{r.stats.global.fluxHits[0]}; };
+    EXPECT_TRUE(hasMean(overSeeds(job, scene, 10, power).front(), kPi * 2 * kSlit / (1 - kAlbedo), 2));
+  }
+}
+
 }  // namespace
 }  // namespace importon::test
