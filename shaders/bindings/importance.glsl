@@ -46,9 +46,9 @@ float lookupDensity(MapSettings map, vec3 position, vec3 normal) {
   if (map.constantDensity > 0.0) return requiredDensityAt(map, kNone);
   const uint importon = importonAt(importonFrame(), map.importonLevels, position, normal);
   const float required = requiredDensityAt(map, importon);
-  if (params.pass + map.pilotPasses == 0u || importon == kNone) return required;
+  if (map.photonsCounted == 0.0 || importon == kNone) return required;
   const float perArea = importonImportance(importon) / (map.importonFlux * float(kImportonsPerSite));
-  const float hits = (float(texelFetch(importonHits, int(importon)).x) + 0.5) / float(min(params.pass + 1u, kCountingPasses) + map.pilotPasses);
+  const float hits = (float(texelFetch(importonHits, int(importon)).x) + 0.5) / map.photonsCounted;
   const float available = hits * perArea * (map.lookupPhotons / map.fewestPhotons) * params.densityScale;
   return clamp(available, min(map.densityFloor * params.densityScale, required), required);
 }

@@ -5,7 +5,7 @@
 #include "lib/path_pairs.glsl"
 
 uvec2 eyeNumber(uint id, uint sampleOfPixel) {
-  return kEyeMode == kEyeImportons ? uvec2(id, 0u) : longIndex(params.pass, params.samplesPerPass, sampleOfPixel);
+  return kEyeMode == kEyeImportons ? uvec2(id, 0u) : longIndex(params.firstSample, sampleOfPixel);
 }
 
 uint eyeStream(uint id, uint sampleOfPixel) {

@@ -3,7 +3,7 @@
 #define IMPORTON_LIB_PHOTON_STREAM_GLSL
 #include "lib/path_pairs.glsl"
 
-uvec2 photonNumber(MapSettings map, uint photon) { return longIndex(params.pass, map.photonsPerPass, photon); }
+uvec2 photonNumber(MapSettings map, uint photon) { return longIndex(map.firstPhoton, photon); }
 uint photonStream(uint purpose, MapSettings map, uint photon) {
   return streamFor(hashCombine(params.seed, purpose), photonNumber(map, photon));
 }

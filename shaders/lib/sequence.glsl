@@ -31,12 +31,11 @@ vec2 sequencePoint(uint stream, uint index, uint pair) {
   return vec2(unitFloat(x), unitFloat(y));
 }
 
-/// Item `item` of pass `pass`, with `perPass` items a pass, counted from the first pass on: low word in x.
-uvec2 longIndex(uint pass, uint perPass, uint item) {
-  uint high, low, carry;
-  umulExtended(pass, perPass, high, low);
-  low = uaddCarry(low, item, carry);
-  return uvec2(low, high + carry);
+/// Item `item` of a pass whose first one is `first`, counted over all passes: low words in x.
+uvec2 longIndex(uvec2 first, uint item) {
+  uint carry;
+  const uint low = uaddCarry(first.x, item, carry);
+  return uvec2(low, first.y + carry);
 }
 
 /// The stream for a long index: those past the 2^32 points of one sequence go on in others.

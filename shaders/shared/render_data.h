@@ -16,8 +16,9 @@ struct MapSettings {
   float densityLimit;     // photons/m²: most required density, for what memory holds
   float lookupPhotons;    // M: photons within a lookup radius where the map has its required density
   float fewestPhotons;    // as many on average where the map is thin
-  uint photonsPerPass;    // emitted for the map
-  uint pilotPasses;       // whose hits were counted before the first pass: 0 or 1
+  uint photonsPerPass;    // emitted for the map in this pass
+  uvec2 firstPhoton;      // of the pass, counted over all passes: its place in the sequence; low word in x
+  float photonsCounted;   // whose hits were counted, over photonsPerPass; 0: none yet
 };
 
 /// The same for every kernel of a pass. Lengths in m, render space.
@@ -42,7 +43,8 @@ struct Parameters {
   uint maxDepth;             // scattering events
   float fluxScale;           // units of fixed-point flux per W, a power of two
   float quotaPhotons;        // Q: photons within a quota radius
-  uint samplesPerPass;       // camera paths, and so gather rays, of each pixel in a pass
+  uint samplesPerPass;       // camera paths, and so gather rays, of each pixel in a whole pass
+  uvec2 firstSample;         // of the pass, of each pixel, counted over all passes; low word in x
   float densityScale;        // growth of D_r over passes
   float largestQuotaRadius;  // m
   uint cameraMedium;         // material of the solid that the camera is in, kNone: none

@@ -33,7 +33,7 @@ class Denominators {
 
  private:
   [[nodiscard]] glm::dvec3 image(std::size_t i) const {
-    return 0.5 * (glm::dvec3(shown_.even[i]) + glm::dvec3(shown_.odd[i]));
+    return glm::mix(glm::dvec3(shown_.odd[i]), glm::dvec3(shown_.even[i]), static_cast<double>(shown_.evenShare));
   }
   const HalfImages& shown_;
   double floor_ = 0;
@@ -93,11 +93,12 @@ std::vector<glm::dvec3> blur(const std::vector<glm::dvec3>& values, int width) {
 ErrorEstimate estimateErrors(const HalfImages& shown, const HalfImages& raw, int width) {
   const Denominators denominators(shown);
   const std::size_t pixels = shown.even.size();
+  const double share = static_cast<double>(shown.evenShare), scale = share * (1 - share);  // of a mean's variance
   std::vector<double> relative(pixels);
   std::vector<glm::dvec3> squares(pixels);
   for (std::size_t i = 0; i < pixels; ++i) {
-    const glm::dvec3 half = 0.5 * (glm::dvec3(shown.even[i]) - glm::dvec3(shown.odd[i]));
-    squares[i] = half * half;
+    const glm::dvec3 difference = glm::dvec3(shown.even[i]) - glm::dvec3(shown.odd[i]);
+    squares[i] = scale * difference * difference;
     relative[i] = meanOf(squares[i] / denominators.at(i));
   }
   const double noise = trimmedMean(std::move(relative));

@@ -13,6 +13,7 @@ inline constexpr double kBandLow = 0.86, kBandHigh = 1.25;
 /// Means of the even and of the odd passes per pixel, row-major from the top: independent images of one thing.
 struct HalfImages {
   std::span<const vec3> even, odd;
+  float evenShare = 0.5f;  // of the even passes in the image
 };
 
 struct ErrorEstimate {
@@ -23,8 +24,8 @@ struct ErrorEstimate {
 };
 
 /// `shown` are the halves with indirect light shared among pixels, `raw` without; the image is the mean of
-/// shown.even and shown.odd. With A, B the shown halves and a, b the raw ones, the noise is the root of the mean of
-/// (A-B)²/4 / (I² + 0.01 mean(I)²) over pixels and channels without the worst thousandth of the pixels. A-a and B-b
+/// shown.even and shown.odd, the former with share w. With A, B the shown halves and a, b the raw ones, the noise is the
+/// root of the mean of w(1-w)(A-B)² / (I² + 0.01 mean(I)²) over pixels and channels without the worst thousandth of the pixels. A-a and B-b
 /// have the bias in common and nothing else, so the mean of their product is the squared bias; the differences are
 /// averaged over blocks of pixels first, since bias is smooth and noise is not.
 [[nodiscard]] ErrorEstimate estimateErrors(const HalfImages& shown, const HalfImages& raw, int width);

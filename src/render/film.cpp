@@ -45,8 +45,8 @@ struct HalfMeans {
 
 HalfMeans indirectMeans(std::span<const FilmPixel> halves, const FilmReading& reading, float perEven, float perOdd) {
   const std::size_t pixels = halves.size() / 2;
-  if (reading.filtersIndirect && reading.passes >= 2) {
-    FilteredIndirect filtered = filterIndirect(halves, {reading.width, reading.passes, reading.samples}, reading.threads);
+  if (reading.filtersIndirect && reading.oddSamples > 0) {
+    FilteredIndirect filtered = filterIndirect(halves, {reading.width, reading.evenSamples, reading.oddSamples}, reading.threads);
     return {std::move(filtered.even), std::move(filtered.odd)};
   }
   HalfMeans means{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
@@ -61,11 +61,10 @@ HalfMeans indirectMeans(std::span<const FilmPixel> halves, const FilmReading& re
 
 FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& reading) {
   const std::size_t pixels = halves.size() / 2;
-  const std::int64_t passes = std::int64_t{reading.passes} * reading.samples;
-  const std::int64_t evenPasses = std::int64_t{(reading.passes + 1) / 2} * reading.samples;
+  const std::int64_t samples = reading.evenSamples + reading.oddSamples;
   const auto inverse = [](std::int64_t n) { return n > 0 ? 1.0f / static_cast<float>(n) : 0.0f; };
-  const float scale = inverse(passes), perEven = inverse(evenPasses), perOdd = inverse(passes - evenPasses);
-  const float evenShare = static_cast<float>(evenPasses) * scale;
+  const float scale = inverse(samples), perEven = inverse(reading.evenSamples), perOdd = inverse(reading.oddSamples);
+  const float evenShare = static_cast<float>(reading.evenSamples) * scale;
   HalfMeans means = indirectMeans(halves, reading, perEven, perOdd);
   HalfMeans raw{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
   FilmLayers layers;
@@ -79,15 +78,15 @@ FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& rea
     layers.total[i] = layers.direct[i] + layers.caustic[i] + layers.indirect[i];
     const vec3 unfiltered = layers.direct[i] + layers.caustic[i] + (a.indirect + b.indirect) * scale;
     const vec3 spread = (a.square + b.square) * scale - unfiltered * unfiltered;
-    layers.variance[i] = passes > 1 ? glm::max(spread, vec3(0)) / static_cast<float>(passes - 1) : vec3(0);
+    layers.variance[i] = samples > 1 ? glm::max(spread, vec3(0)) / static_cast<float>(samples - 1) : vec3(0);
     raw.even[i] = (a.direct + a.caustic + a.indirect) * perEven;
     raw.odd[i] = (b.direct + b.caustic + b.indirect) * perOdd;
     means.even[i] += (a.direct + a.caustic) * perEven;
     means.odd[i] += (b.direct + b.caustic) * perOdd;
   }
   layers.error.resize(pixels);
-  if (reading.passes < 2) return layers;
-  ErrorEstimate estimate = estimateErrors({means.even, means.odd}, {raw.even, raw.odd}, reading.width);
+  if (reading.oddSamples == 0) return layers;
+  ErrorEstimate estimate = estimateErrors({means.even, means.odd, evenShare}, {raw.even, raw.odd, evenShare}, reading.width);
   layers.estimatedError = estimate.relative;
   layers.error = std::move(estimate.perPixel);
   return layers;

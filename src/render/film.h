@@ -1,6 +1,7 @@
 /// The image as sums over passes: emitted and direct, caustic, and indirect light with its modulation apart, each
 /// in two halves (even and odd passes).
 #pragma once
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -40,8 +41,7 @@ struct FilmLayers {
 /// How to read a film.
 struct FilmReading {
   int width = 1;
-  int passes = 0;                // dealt to the halves in turn, the even half first
-  int samples = 1;               // per pixel in each pass
+  std::int64_t evenSamples = 0, oddSamples = 0;  // per pixel, in each half
   bool filtersIndirect = false;  // shares irradiance among pixels: render/indirect_filter.h
   int threads = 0;
 };

@@ -110,23 +110,22 @@ std::vector<float> blur(const std::vector<float>& values, int width, int height,
 }
 
 /// Light of a half from its irradiance, with the mean modulation of both.
-vec3 modulate(const FilmPixel& a, const FilmPixel& b, vec3 irradiance, std::int64_t passes) {
-  return (a.modulation + b.modulation) * irradiance / static_cast<float>(passes);
+vec3 modulate(const FilmPixel& a, const FilmPixel& b, vec3 irradiance, std::int64_t samples) {
+  return (a.modulation + b.modulation) * irradiance / static_cast<float>(samples);
 }
 
 }  // namespace
 
 FilteredIndirect filterIndirect(std::span<const FilmPixel> film, const FilmShape& shape, int threads) {
   const int width = shape.width;
-  const std::int64_t passes = std::int64_t{shape.passes} * shape.samples;
+  const std::int64_t samples = shape.evenSamples + shape.oddSamples;
   const std::size_t pixels = film.size() / 2;
   Halves h{film.first(pixels), film.last(pixels), width, static_cast<int>(pixels) / width, std::vector<Guide>(pixels)};
   for (std::size_t i = 0; i < pixels; ++i) h.guides[i] = makeGuide(h.even[i], h.odd[i]);
 
   std::vector<float> best(pixels);
   FilteredIndirect result{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
-  const float perEven = static_cast<float>(std::int64_t{(shape.passes + 1) / 2} * shape.samples);
-  const float perOdd = static_cast<float>(passes) - perEven;
+  const float perEven = static_cast<float>(shape.evenSamples), perOdd = static_cast<float>(shape.oddSamples);
   for (const int radius : kRadii) {
     std::vector<Estimate> estimates(pixels);
     std::vector<float> residuals(pixels);
@@ -148,8 +147,8 @@ FilteredIndirect filterIndirect(std::span<const FilmPixel> film, const FilmShape
         result.odd[i] = h.odd[i].indirect / perOdd;
       } else if (h.guides[i].hasGathers && (radius <= kEdgeRadius || h.guides[i].isPure) && around[i] < best[i]) {
         best[i] = around[i];
-        result.even[i] = modulate(h.even[i], h.odd[i], estimates[i].even, passes);
-        result.odd[i] = modulate(h.even[i], h.odd[i], estimates[i].odd, passes);
+        result.even[i] = modulate(h.even[i], h.odd[i], estimates[i].even, samples);
+        result.odd[i] = modulate(h.even[i], h.odd[i], estimates[i].odd, samples);
       }
     }
   }

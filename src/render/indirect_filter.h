@@ -1,5 +1,6 @@
 /// Shares gathered irradiance among neighbouring pixels that see the same surface.
 #pragma once
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -9,7 +10,8 @@ namespace importon {
 
 /// How the film was filled.
 struct FilmShape {
-  int width = 1, passes = 0, samples = 1;  // samples per pixel in each pass
+  int width = 1;
+  std::int64_t evenSamples = 0, oddSamples = 0;  // per pixel, in each half
 };
 
 /// Filtered indirect light of both halves, with its modulation, per pixel: means over passes.
@@ -21,7 +23,7 @@ struct FilteredIndirect {
 /// plane with like normals. The radius of each pixel, from 0 on, is the one whose disc in the one half predicts the
 /// other half best, over a window around it: noise lowers with the radius, bias rises, and as the noise goes to
 /// zero so does the radius. Direct and caustic light are untouched. `halves`: even passes, then odd ones, each
-/// width · height pixels; at least 2 passes.
+/// width · height pixels; at least a sample in each half.
 [[nodiscard]] FilteredIndirect filterIndirect(std::span<const FilmPixel> halves, const FilmShape& shape, int threads);
 
 }  // namespace importon

@@ -69,9 +69,10 @@ PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2
   const std::uint64_t events = static_cast<std::uint64_t>(job.maxDepth) + 1;
   PassPlan plan;
   plan.maxPasses = job.passes.value_or(job.seconds ? 1 << 20 : 64);
-  plan.samples = static_cast<std::uint32_t>(job.gather.value_or(job.integrator == Integrator::photon ? kSamplesPerPass : 1));
-  plan.tilePixels = std::min<std::uint64_t>(pixels, kPathsAtOnce / std::min(plan.samples, kFewestAtOnce));
-  plan.samplesAtOnce = std::clamp(static_cast<std::uint32_t>(kPathsAtOnce / plan.tilePixels), 1u, plan.samples);
+  PassSize& whole = plan.whole;
+  whole.samples = static_cast<std::uint32_t>(job.gather.value_or(job.integrator == Integrator::photon ? kSamplesPerPass : 1));
+  plan.tilePixels = std::min<std::uint64_t>(pixels, kPathsAtOnce / std::min(whole.samples, kFewestAtOnce));
+  plan.samplesAtOnce = std::clamp(static_cast<std::uint32_t>(kPathsAtOnce / plan.tilePixels), 1u, whole.samples);
   plan.workspace.slots = plan.tilePixels * plan.samplesAtOnce;
   plan.storage.receivers = static_cast<uint>(job.redistribute.value_or(0));
   plan.storage.acceptance = job.acceptance == Acceptance::step ? kAcceptStep : kAcceptCosine;
@@ -90,22 +91,22 @@ PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2
   const auto photonsFor = [](std::uint64_t wanted) {
     return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(wanted, 1u << 16, 1u << 20));
   };
-  plan.photons = photonsFor(pixels);
-  plan.causticPhotons = photonsFor(pixels * plan.samples);  // a caustic is seen directly: its noise is the image's
+  whole.photons = photonsFor(pixels);
+  whole.causticPhotons = photonsFor(pixels * whole.samples);  // a caustic is seen directly: its noise is the image's
   // Both maps share the photons asked for; a caustic map that no surface asks for must not change the image.
   const bool hasTwoMaps = features.needsCausticMap && !job.forcesAllFeatures;
-  if (job.photons) plan.photons = plan.causticPhotons = std::max(*job.photons / (hasTwoMaps ? 2 : 1), 1u);
-  if (!features.needsCausticMap) plan.causticPhotons = 0;
+  if (job.photons) whole.photons = whole.causticPhotons = std::max(*job.photons / (hasTwoMaps ? 2 : 1), 1u);
+  if (!features.needsCausticMap) whole.causticPhotons = 0;
   const std::uint64_t mostRecords = limits.maxStorageBufferRange / sizeof(MapPoint);
-  plan.batch = std::min({std::max(plan.photons, plan.causticPhotons), job.photonBatch.value_or(limits.isCpu ? 1u << 16 : 1u << 18),
+  plan.batch = std::min({std::max(whole.photons, whole.causticPhotons), job.photonBatch.value_or(limits.isCpu ? 1u << 16 : 1u << 18),
                          static_cast<std::uint32_t>(std::max<std::uint64_t>(mostRecords / events, 1))});
   plan.importons = job.importons.value_or(static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pixels, 1u << 14, 1u << 16)));
   plan.importons = std::min(plan.importons, static_cast<std::uint32_t>(std::max<std::uint64_t>(mostRecords / events, 1)));
   const std::uint64_t heapShare = job.memoryMiB ? *job.memoryMiB << 20 : limits.heapBytes / 4;
   const std::uint64_t byRange = limits.maxStorageBufferRange / 24;
   const std::uint64_t mostPhotons = std::min(heapShare / (2 * kBytesPerPhoton), byRange);
-  plan.mapCapacity = std::min(plan.photons * events, mostPhotons);
-  plan.causticCapacity = std::min(plan.causticPhotons * std::min(events, kCausticHits), mostPhotons);
+  plan.mapCapacity = std::min(whole.photons * events, mostPhotons);
+  plan.causticCapacity = std::min(whole.causticPhotons * std::min(events, kCausticHits), mostPhotons);
   plan.mostCells = std::min({16 * pixels + (1u << 18), heapShare / kBytesPerCell, limits.maxStorageBufferRange / 64});
   plan.workspace.slots = std::max<std::uint64_t>({plan.workspace.slots, plan.batch, plan.importons});
   plan.workspace.lightVoxels = std::uint64_t{kLightVoxels} * kLightVoxels * kLightVoxels;
@@ -115,6 +116,12 @@ PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2
   if (plan.nearestPhotons > 0)
     plan.workspace.entries = std::max(plan.workspace.entries, std::min(plan.mapCapacity * kPhotonLevels, mostRecords));
   return plan;
+}
+
+PassSize PassPlan::sizeOf(int parts) const {
+  const auto part = [parts](std::uint32_t n) { return (n * static_cast<std::uint64_t>(parts) + kPartsOfPass - 1) / kPartsOfPass; };
+  return {static_cast<std::uint32_t>(part(whole.samples)), static_cast<std::uint32_t>(part(whole.photons)),
+          static_cast<std::uint32_t>(part(whole.causticPhotons))};
 }
 
 double surfaceArea(const Scene& scene) {
@@ -146,15 +153,15 @@ Parameters makeParameters(const RenderJob& job, const Scene& scene, const PassPl
   p.lightCount = static_cast<uint>(scene.lights.size());
   p.totalPower = static_cast<float>(power);
   p.seed = job.seed;
-  p.samplesPerPass = plan.samples;
+  p.samplesPerPass = plan.whole.samples;
   p.maxDepth = static_cast<uint>(job.maxDepth);
   p.fluxScale = chooseFluxScale(power, job.maxDepth);
   p.quotaPhotons = static_cast<float>(job.quota.value_or(kQuotaPhotons));
-  p.largestQuotaRadius = largestQuotaRadius(job, plan.photons, p.quotaPhotons, surfaceArea(scene));
+  p.largestQuotaRadius = largestQuotaRadius(job, plan.whole.photons, p.quotaPhotons, surfaceArea(scene));
   p.densityScale = 1;
   p.importonFlux = 1;
-  p.causticMap = mapSettings(job, job.causticDensity, kRecordCaustic, longest, kCausticLookup, plan.causticPhotons);
-  p.globalMap = mapSettings(job, job.globalDensity, kRecordGlobal, longest, kGlobalLookup, plan.photons);
+  p.causticMap = mapSettings(job, job.causticDensity, kRecordCaustic, longest, kCausticLookup, plan.whole.causticPhotons);
+  p.globalMap = mapSettings(job, job.globalDensity, kRecordGlobal, longest, kGlobalLookup, plan.whole.photons);
   return p;
 }
 

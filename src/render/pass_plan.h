@@ -8,13 +8,21 @@
 
 namespace importon {
 
+inline constexpr int kPartsOfPass = 4;
+
+/// What a pass does: the whole of what is planned, or a part of it.
+struct PassSize {
+  std::uint32_t samples = 1;  // camera paths per pixel
+  std::uint32_t photons = 0, causticPhotons = 0;
+
+  [[nodiscard]] std::uint32_t photonsFor(MapKind kind) const { return kind == MapKind::global ? photons : causticPhotons; }
+};
+
 struct PassPlan {
-  std::uint32_t photons = 0;         // emitted per pass for the global map; 0: no maps
-  std::uint32_t causticPhotons = 0;  // for the caustic map, likewise
+  PassSize whole;               // of the largest passes
   std::uint32_t batch = 0;      // traced at once
   std::uint32_t importons = 0;
-  std::uint32_t samples = 1;    // camera paths, and so gather rays, per pixel and pass
-  std::uint32_t samplesAtOnce = 1;  // of them
+  std::uint32_t samplesAtOnce = 1;  // of a pixel
   uint nearestImportons = 32;   // M of the importance estimate
   StorageRule storage;          // without control and expected density, which may change
   uint nearestPhotons = 0;      // of a lookup; 0: all within a radius
@@ -25,7 +33,8 @@ struct PassPlan {
   int maxPasses = 64;
   WorkspaceSize workspace;
 
-  [[nodiscard]] std::uint32_t photonsFor(MapKind kind) const { return kind == MapKind::global ? photons : causticPhotons; }
+  /// A pass of 1 to kPartsOfPass of as many parts.
+  [[nodiscard]] PassSize sizeOf(int parts) const;
   [[nodiscard]] std::uint64_t capacityFor(MapKind kind) const { return kind == MapKind::global ? mapCapacity : causticCapacity; }
 };
 

@@ -23,6 +23,9 @@ using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
+/// Low word in x.
+uvec2 wordsOf(std::uint64_t n) { return {static_cast<uint>(n), static_cast<uint>(n >> 32)}; }
+
 bool isPointLayer(const std::string& name) { return name.starts_with("importons.") || name.starts_with("photons."); }
 
 constexpr int kCausticBins = 128, kGlobalBins = 16;  // of a guide, along both axes of a light's unit square
@@ -54,6 +57,7 @@ RenderSession::RenderSession(const RenderJob& job, const Scene& scene, Log& log)
   deviceScene_ = uploadScene(*context_, scene, bvh);
   surfaceArea_ = surfaceArea(scene);
   plan_ = planPasses(job, features_, size_, context_->limits());
+  now_ = plan_.whole;
   parameters_ = makeParameters(job, scene, plan_, size_);
   work_.emplace(*context_, plan_.workspace);
   deviceScene_.bind(work_->table);
@@ -84,7 +88,7 @@ void RenderSession::findImportance() {
                   causticMap_.has_value());
   // A camera that sees no surface to light needs no photons, nor does a scene that has no light to shoot them.
   if (scene_.lights.empty() || (importance_.global.count == 0 && importance_.caustic.count == 0))
-    plan_.photons = plan_.causticPhotons = 0;
+    now_.photons = now_.causticPhotons = plan_.whole.photons = plan_.whole.causticPhotons = 0;
   if (features_.readsCells) cellSizes_.emplace(densityOfRecords(1, true));
   trainGuides();
   countCausticHits();
@@ -101,11 +105,11 @@ float RenderSession::meanImportance() const {
 }
 
 void RenderSession::trainGuides() {
-  if (job_.emission == EmissionChoice::power || plan_.photons == 0) return;
+  if (job_.emission == EmissionChoice::power || plan_.whole.photons == 0) return;
   startPass(0);
   const auto train = [&](std::optional<EmissionGuide>& guide, MapKind kind, const ImportanceMap& importance, int bins) {
     guide.emplace(*context_, scene_, kind, bins);
-    tracePhotons(*stage_, {kind, &*guide}, 0, std::min(plan_.batch, plan_.photonsFor(kind)), parameters_.maxDepth);
+    tracePhotons(*stage_, {kind, &*guide}, 0, std::min(plan_.batch, now_.photonsFor(kind)), parameters_.maxDepth);
     selectRecords(*stage_, recordMask(kind));
     guide->learn(*stage_, importance, meanImportance());
     recorder_->submitAndWait();
@@ -117,10 +121,10 @@ void RenderSession::trainGuides() {
 }
 
 void RenderSession::countCausticHits() {
-  if (!causticMap_ || importance_.caustic.count == 0 || plan_.causticPhotons == 0) return;
+  if (!causticMap_ || importance_.caustic.count == 0 || now_.causticPhotons == 0) return;
   startPass(0);
-  const uint weight = std::max(plan_.causticPhotons / plan_.batch, 1u);  // of a share of the photons of a pass
-  const std::uint32_t photons = plan_.causticPhotons / weight;
+  const uint weight = std::max(now_.causticPhotons / plan_.batch, 1u);  // of a share of the photons of a pass
+  const std::uint32_t photons = now_.causticPhotons / weight;
   gpu::BindingTable table = work_->table;
   importance_.caustic.bind(table);
   for (std::uint32_t first = 0; first < photons; first += plan_.batch) {
@@ -130,7 +134,7 @@ void RenderSession::countCausticHits() {
     overItems(*stage_, kernels_.hitCount, table, kCounterSelected, HitCountPush{weight});
   }
   recorder_->submitAndWait();
-  parameters_.causticMap.pilotPasses = 1;
+  done_.causticCounted = now_.causticPhotons;
 }
 
 void RenderSession::shootPilot() {
@@ -139,7 +143,7 @@ void RenderSession::shootPilot() {
   const auto count = [&](std::optional<ExpectedDensity>& expected, MapKind kind, const ImportanceMap& importance,
                          const std::optional<EmissionGuide>& guide) {
     expected.emplace(*context_, kind, plan_.capacityFor(kind));
-    const std::uint32_t photons = plan_.photonsFor(kind);
+    const std::uint32_t photons = now_.photonsFor(kind);
     for (std::uint32_t first = 0; first < photons; first += plan_.batch) {
       tracePhotons(*stage_, {kind, guide ? &*guide : nullptr, true}, first, std::min(plan_.batch, photons - first),
                    parameters_.maxDepth);
@@ -167,16 +171,29 @@ void RenderSession::updateGuides() {
 void RenderSession::startPass(int pass) {
   parameters_.pass = static_cast<uint>(pass);
   parameters_.densityScale = std::cbrt(static_cast<float>(pass + 1));  // r² shrinks as its inverse
+  parameters_.firstSample = wordsOf(done_.evenSamples + done_.oddSamples);
+  setPhotons(parameters_.globalMap, now_.photons, done_.photons, done_.photonsCounted);
+  setPhotons(parameters_.causticMap, now_.causticPhotons, done_.causticPhotons, done_.causticCounted);
   if (features_.readsCells && cellSizes_->hits) prepareCells(pass);
   uploadParameters();
   recorder_->fill(work_->counters, 0);
+}
+
+void RenderSession::setPhotons(MapSettings& map, std::uint32_t perPass, std::uint64_t before, std::uint64_t counted) const {
+  map.photonsPerPass = perPass;
+  map.firstPhoton = wordsOf(before);
+  map.photonsCounted = 0;
+  if (counted == 0 || perPass == 0) return;
+  const std::uint64_t now = parameters_.pass < kCountingPasses ? perPass : 0;
+  map.photonsCounted = static_cast<float>(static_cast<double>(counted + now) / perPass);
 }
 
 void RenderSession::uploadParameters() {
   work_->parameters.upload(std::span<const Parameters>(&parameters_, 1));
 }
 
-void RenderSession::shootPhotons(int pass) {
+void RenderSession::shootPhotons(int pass, int parts) {
+  now_ = plan_.sizeOf(parts);
   startPass(pass);
   if (!hasMaps()) return;
   const Clock::time_point start = Clock::now();
@@ -222,7 +239,7 @@ void RenderSession::shootFor(MapKind kind, bool isFirst) {
   std::optional<EmissionGuide>& guide = isGlobal ? globalGuide_ : causticGuide_;
   const bool isLearning = guide && isFirst && static_cast<int>(parameters_.pass) < kLearningPasses;
   if (map) map->begin(*stage_);
-  const std::uint32_t photons = plan_.photonsFor(kind);
+  const std::uint32_t photons = now_.photonsFor(kind);
   for (std::uint32_t first = 0; first < photons; first += plan_.batch) {
     tracePhotons(*stage_, {kind, guide ? &*guide : nullptr}, first, std::min(plan_.batch, photons - first),
                  parameters_.maxDepth);
@@ -251,8 +268,9 @@ void RenderSession::gatherImage(int pass) {
   const Clock::time_point start = Clock::now();
   for (const FilmTile& tile : film_->tiles()) {
     const uint half = pass % 2 == 0 ? 0 : tile.count;
-    for (uint first = 0; first < plan_.samples; first += plan_.samplesAtOnce)
-      traceImage(*stage_, eyeMaps(), {first, std::min(plan_.samplesAtOnce, plan_.samples - first)}, tile.first, tile.count, parameters_.maxDepth, tile.pixels, half);
+    for (uint first = 0; first < now_.samples; first += plan_.samplesAtOnce)
+      traceImage(*stage_, eyeMaps(), {first, std::min(plan_.samplesAtOnce, now_.samples - first)}, tile.first, tile.count,
+                 parameters_.maxDepth, tile.pixels, half);
   }
   recorder_->submitAndWait();
   stats_.seconds.gather += secondsSince(start);
@@ -268,14 +286,24 @@ void RenderSession::addCounts(PhotonMapStats& stats, const PhotonMapCounts& coun
     throw std::logic_error(fmt::format("the {} map does not hold the power of its hits", map));
 }
 
-void RenderSession::countPass(int) {
+void RenderSession::addToDone(int pass) {
+  (pass % 2 == 0 ? done_.evenSamples : done_.oddSamples) += now_.samples;
+  done_.photons += now_.photons;
+  done_.causticPhotons += now_.causticPhotons;
+  if (parameters_.pass >= kCountingPasses) return;
+  done_.photonsCounted += now_.photons;
+  done_.causticCounted += now_.causticPhotons;
+}
+
+void RenderSession::countPass(int pass) {
+  addToDone(pass);
   const auto counters = work_->counters.download<uint>(kCounterCount);
   stats_.closestRays += counters[kCounterRaysClosest];
   stats_.shadowRays += counters[kCounterRaysShadow];
   if (counters[kCounterTraceUnfinished] > 0)
     log_.warn("rays given up", fmt::format("{} rays were too long for this device", counters[kCounterTraceUnfinished]));
   if (!hasMaps()) return;
-  stats_.photonsEmitted += plan_.photons + (causticMap_ ? plan_.causticPhotons : 0);
+  stats_.photonsEmitted += now_.photons + (causticMap_ ? now_.causticPhotons : 0);
   if (globalMap_) addCounts(stats_.global, globalMap_->readCounts(*stage_, parameters_.fluxScale), "global");
   else if (irradiance_) {
     stats_.global.hits += counters[kCounterCellHits];
@@ -285,14 +313,14 @@ void RenderSession::countPass(int) {
   if (causticMap_) addCounts(stats_.caustic, causticMap_->readCounts(*stage_, parameters_.fluxScale), "caustic");
 }
 
-FilmLayers RenderSession::readFilm(int passes) const {
-  return resolveFilm(film_->download(), {size_.x, passes, static_cast<int>(plan_.samples),
+FilmLayers RenderSession::readFilm() const {
+  return resolveFilm(film_->download(), {size_.x, static_cast<std::int64_t>(done_.evenSamples), static_cast<std::int64_t>(done_.oddSamples),
                                          job_.filtersIndirect && hasMaps(), job_.threads});
 }
 
-Image RenderSession::resolve(int passes) {
-  const FilmLayers layers = readFilm(passes);
-  if (passes >= 2) {
+Image RenderSession::resolve() {
+  const FilmLayers layers = readFilm();
+  if (done_.oddSamples > 0) {
     stats_.error.estimated = layers.estimatedError;
     stats_.error.low = kBandLow * layers.estimatedError;
     stats_.error.high = kBandHigh * layers.estimatedError;
@@ -305,9 +333,9 @@ Image RenderSession::resolve(int passes) {
   return image;
 }
 
-Image RenderSession::resolveColor(int passes) const {
+Image RenderSession::resolveColor() const {
   Image image{size_.x, size_.y, {}, {}};
-  addColor(image, "", readFilm(passes).total);
+  addColor(image, "", readFilm().total);
   return image;
 }
 

@@ -17,14 +17,21 @@
 
 namespace importon {
 
+/// Sums over the passes so far.
+struct PassSums {
+  std::uint64_t evenSamples = 0, oddSamples = 0;  // per pixel
+  std::uint64_t photons = 0, causticPhotons = 0;
+  std::uint64_t photonsCounted = 0, causticCounted = 0;  // whose hits are counted near importons, the pilot's too
+};
+
 class RenderSession {
  public:
   RenderSession(const RenderJob& job, const Scene& scene, Log& log);
 
   /// Importons, importance maps, required density.
   void findImportance();
-  /// Photons of pass `pass` into density-controlled maps.
-  void shootPhotons(int pass);
+  /// Photons of pass `pass`, of `parts` of kPartsOfPass parts, into density-controlled maps.
+  void shootPhotons(int pass, int parts);
   /// Camera paths of pass `pass`, reading the maps, into the film.
   void gatherImage(int pass);
   /// Reads what the pass counted.
@@ -39,12 +46,14 @@ class RenderSession {
 
   [[nodiscard]] int maxPasses() const { return plan_.maxPasses; }
   [[nodiscard]] bool hasMaps() const { return job_.integrator == Integrator::photon; }
-  [[nodiscard]] double estimatedError(int passes) const { return readFilm(passes).estimatedError; }
+  [[nodiscard]] double estimatedError() const { return readFilm().estimatedError; }
   /// The image so far with the layers that the job asks for.
-  [[nodiscard]] Image resolve(int passes);
+  [[nodiscard]] Image resolve();
   /// The same without AOVs.
-  [[nodiscard]] Image resolveColor(int passes) const;
+  [[nodiscard]] Image resolveColor() const;
   [[nodiscard]] std::uint64_t pixels() const { return static_cast<std::uint64_t>(size_.x) * static_cast<std::uint64_t>(size_.y); }
+  /// As if the passes so far had come to this: tests skip days so.
+  void setDone(const PassSums& done) { done_ = done; }
   [[nodiscard]] RenderStats& stats() { return stats_; }
   void finishStats(int passes);
 
@@ -56,9 +65,10 @@ class RenderSession {
   };
   [[nodiscard]] std::vector<Lasting> lastingMemory();
   [[nodiscard]] std::uint64_t runFingerprint() const;
-  [[nodiscard]] FilmLayers readFilm(int passes) const;
+  [[nodiscard]] FilmLayers readFilm() const;
   void loadDevice();
   void startPass(int pass);
+  void setPhotons(MapSettings& map, std::uint32_t perPass, std::uint64_t before, std::uint64_t counted) const;
   void uploadParameters();
   /// What the sizes of surface cells follow: importance, pixels/m², and the photon hits of a pass per m².
   struct CellSizes {
@@ -87,6 +97,7 @@ class RenderSession {
   [[nodiscard]] bool isMapFull() const;
   /// Lowers the required density so that the maps fit in memory; warns.
   void controlHarder();
+  void addToDone(int pass);
   void addCounts(PhotonMapStats& stats, const PhotonMapCounts& counts, const char* map);
   [[nodiscard]] EyeMaps eyeMaps() const;
   void addAovs(Image& image, const FilmLayers& layers);
@@ -103,6 +114,8 @@ class RenderSession {
   KernelSet kernels_;
   DeviceScene deviceScene_;
   PassPlan plan_;
+  PassSize now_;  // of the pass at hand
+  PassSums done_;
   Parameters parameters_{};
   std::optional<Workspace> work_;
   std::optional<gpu::Recorder> recorder_;

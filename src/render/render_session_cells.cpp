@@ -35,10 +35,10 @@ PointDensity RenderSession::densityOfRecords(float scale, bool isFlux) const {
 
 void RenderSession::findCellSizes() {
   startPass(0);
-  const std::uint32_t pilot = std::min({plan_.batch, plan_.photons, kPilotPhotons});
+  const std::uint32_t pilot = std::min({plan_.batch, plan_.whole.photons, kPilotPhotons});
   if (pilot > 0) tracePhotons(*stage_, {MapKind::global, nullptr, true}, 0, pilot, parameters_.maxDepth);
   recorder_->submitAndWait();
-  const float perPass = static_cast<float>(plan_.photons) / static_cast<float>(std::max(pilot, 1u));
+  const float perPass = static_cast<float>(plan_.whole.photons) / static_cast<float>(std::max(pilot, 1u));
   cellSizes_->hits = densityOfRecords(perPass, false);
 }
 

@@ -15,6 +15,7 @@ namespace {
 struct HostState {
   std::uint64_t closestRays, shadowRays, photonsEmitted;
   PhotonMapStats caustic, global;
+  PassSums done;
   float densityLimit;
   DensityControl control;
 };
@@ -54,7 +55,7 @@ Checkpoint RenderSession::save(int passes, std::vector<CheckpointBlock> more) {
     lasting.buffer->downloadBytes(checkpoint.blocks.back().bytes);
   }
   const HostState host{stats_.closestRays, stats_.shadowRays, stats_.photonsEmitted,          stats_.caustic,
-                       stats_.global,      parameters_.globalMap.densityLimit, control_};
+                       stats_.global,      done_, parameters_.globalMap.densityLimit, control_};
   checkpoint.blocks.push_back(blockOf(kHostName, std::as_bytes(std::span(&host, 1))));
   return checkpoint;
 }
@@ -87,6 +88,7 @@ void RenderSession::restore(const Checkpoint& checkpoint) {
   stats_.photonsEmitted = host.photonsEmitted;
   stats_.caustic = host.caustic;
   stats_.global = host.global;
+  done_ = host.done;
   parameters_.globalMap.densityLimit = parameters_.causticMap.densityLimit = host.densityLimit;
   control_ = host.control;
 }

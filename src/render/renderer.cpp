@@ -33,7 +33,7 @@ RenderProgress describeProgress(RenderSession& session, const StopRule& rule, in
   p.error = rule.trend().error;
   p.target = rule.target();
   p.stats = &stats;
-  p.image = [&session, passes] { return session.resolveColor(passes); };
+  p.image = [&session] { return session.resolveColor(); };
   return p;
 }
 
@@ -51,16 +51,17 @@ RenderResult render(const RenderJob& job, const Scene& scene, Log& log, const st
   for (;;) {
     if (rule.wantsEstimate(passes)) {
       const double estimateStart = elapsed();
-      const double error = session.estimatedError(passes);
+      const double error = session.estimatedError();
       rule.errorIs(passes, error, elapsed() - estimateStart);
     }
-    if (rule.isDone(passes, elapsed()) || isInterrupted) break;
+    const int parts = rule.partsOfNext(passes, elapsed());
+    if (parts == 0 || isInterrupted) break;
     const double passStart = elapsed();
-    session.shootPhotons(passes);
+    session.shootPhotons(passes, parts);
     session.gatherImage(passes);
     session.countPass(passes);
     ++passes;
-    rule.passTook(elapsed() - passStart);
+    rule.passTook(elapsed() - passStart, parts);
     const double outsideStart = elapsed();
     progress(describeProgress(session, rule, passes, outsideStart));
     outside += elapsed() - outsideStart;
@@ -70,7 +71,7 @@ RenderResult render(const RenderJob& job, const Scene& scene, Log& log, const st
   RenderResult result;
   result.wasInterrupted = isInterrupted;
   result.lacksCheckpoint = pause.hasFailed();
-  result.image = session.resolve(passes);
+  result.image = session.resolve();
   session.finishStats(passes);
   result.stats = session.stats();
   return result;

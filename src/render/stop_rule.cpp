@@ -8,7 +8,12 @@ namespace {
 
 constexpr int kFirstEstimate = 4;   // passes: two in each half
 constexpr double kLeastStep = 1.1;  // passes between two estimates, as a factor
+constexpr double kFixedShare = 0.1;  // of a whole pass's time, that smaller ones take too
+constexpr double kStartSeconds = 1;
 constexpr double kLeastSlope = 0.2, kMostSlope = 0.5;
+
+/// Of the time of a whole pass.
+double shareOfTime(int parts) { return kFixedShare + (1 - kFixedShare) * parts / kPartsOfPass; }
 
 }  // namespace
 
@@ -16,11 +21,17 @@ StopRule::StopRule(const RenderJob& job, int maxPasses, double finishSeconds)
     : maxPasses_(maxPasses), budget_(job.seconds.value_or(-1)), outputSeconds_(finishSeconds) {
   if (job.error) target_ = *job.error;
   else if (!job.passes && !job.seconds) target_ = kDefaultError;
+  // Passes are alike where their number alone or what they do is given, and where an expected density rests on that.
+  beginsSmall_ = job.integrator == Integrator::photon && (job.seconds || target_ >= 0) && !job.gather && job.control != DensityControl::probability;
+  endsSmall_ = beginsSmall_ && job.checkpoint.empty();
 }
 
-void StopRule::passTook(double seconds) {
-  passSeconds_ = std::max(seconds, lastPassSeconds_);
-  lastPassSeconds_ = seconds;
+void StopRule::passTook(double seconds, int parts) {
+  // The first pass starts kernels, which takes the others no time.
+  if (lastPassSeconds_ <= 0) seconds -= std::min(kStartSeconds, seconds / 2);
+  const double whole = seconds / shareOfTime(parts);
+  passSeconds_ = std::max(whole, lastPassSeconds_);
+  lastPassSeconds_ = whole;
 }
 
 void StopRule::errorIs(int passes, double error, double seconds) {
@@ -45,12 +56,18 @@ bool StopRule::wantsEstimate(int passes) const {
   return target_ >= 0 && passes >= std::max(passesToTarget(), kLeastStep * trend_.passes) - 1;
 }
 
-bool StopRule::isDone(int passes, double secondsSinceStart) const {
-  if (passes >= maxPasses_) return true;
-  if (passes == 0) return false;
-  const double finish = estimateSeconds_ + outputSeconds_;
-  if (budget_ >= 0 && secondsSinceStart + passSeconds_ + finish > budget_) return true;
-  return target_ >= 0 && trend_.passes == passes && trend_.error <= target_;
+int StopRule::partsOfNext(int passes, double secondsSinceStart) const {
+  if (passes >= maxPasses_) return 0;
+  if (target_ >= 0 && trend_.passes == passes && passes > 0 && trend_.error <= target_) return 0;
+  int parts = kPartsOfPass;
+  if (beginsSmall_) parts = std::min(1 << std::min(passes / 2, 10), kPartsOfPass);  // passes come in pairs: one for each half
+  if (budget_ < 0 || passes == 0) return parts;
+  const double left = budget_ - secondsSinceStart - estimateSeconds_ - outputSeconds_;
+  while (passSeconds_ * shareOfTime(parts) > left) {
+    if (!endsSmall_ || parts == 1) return 0;
+    parts /= 2;
+  }
+  return parts;
 }
 
 double StopRule::secondsLeft(int passes, double secondsSinceStart) const {

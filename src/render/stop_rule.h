@@ -1,6 +1,6 @@
 /// When a render has done enough: passes, time, or estimated error.
 #pragma once
-#include "render/render_job.h"
+#include "render/pass_plan.h"
 
 namespace importon {
 
@@ -21,18 +21,21 @@ class StopRule {
   /// `finishSeconds`: a first guess of what resolving and writing the image takes; estimates correct it.
   StopRule(const RenderJob& job, int maxPasses, double finishSeconds);
 
-  void passTook(double seconds);
+  /// A pass of so many of kPartsOfPass parts was made.
+  void passTook(double seconds, int parts = kPartsOfPass);
   /// `seconds` is what finding it took: about as much as resolving the image at the end will.
   void errorIs(int passes, double error, double seconds);
 
   /// True if the error should be estimated now: where the target may have been reached, at the latest when the
   /// passes have doubled, and not before a tenth more are done, since an estimate takes time.
   [[nodiscard]] bool wantsEstimate(int passes) const;
-  /// True if no further pass is to be made: enough passes, the error reached, or no time left for another pass
-  /// and for writing the image. One pass is always made.
-  [[nodiscard]] bool isDone(int passes, double secondsSinceStart) const;
+  /// How many of kPartsOfPass parts the next pass is to have: few at first, so that an image is there soon and a high
+  /// error is not undercut by far, and no more than there is time for beside writing the image. 0: no further pass,
+  /// since there were enough, the error is reached, or no time is left. One pass is always made. With a checkpoint
+  /// sizes do not depend on time, so that the run is the same wherever it stops.
+  [[nodiscard]] int partsOfNext(int passes, double secondsSinceStart) const;
 
-  /// Until isDone, as far as is known; negative: not known.
+  /// Until the last pass, as far as is known; negative: not known.
   [[nodiscard]] double secondsLeft(int passes, double secondsSinceStart) const;
   /// For a run that goes on from where another one stopped.
   [[nodiscard]] const ErrorTrend& trend() const { return trend_; }
@@ -47,7 +50,9 @@ class StopRule {
   int maxPasses_;
   double budget_ = -1;       // s since the process started, negative: none
   double target_ = -1;       // error, negative: none
-  double passSeconds_ = 0;   // of the slower of the last two passes
+  bool beginsSmall_ = false;  // the first passes are smaller than whole ones
+  bool endsSmall_ = false;    // so are the last ones of a time budget
+  double passSeconds_ = 0;   // of a whole pass, from the slower of the last two
   double lastPassSeconds_ = 0;
   double estimateSeconds_ = 0, outputSeconds_ = 0;
   ErrorTrend trend_;

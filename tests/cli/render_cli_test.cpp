@@ -105,12 +105,12 @@ TEST(CliRender, MeasuresTheErrorAfterEachPass) {
 TEST(CliRender, KeepsATimeBudget) {
   const TemporaryFolder folder;
   const auto start = std::chrono::steady_clock::now();
-  ASSERT_EQ(runImporton(smallRender(folder / "o.exr", {"--time", "4", "--photons", "4096", "--stats",
+  ASSERT_EQ(runImporton(smallRender(folder / "o.exr", {"--time", "6", "--photons", "4096", "--stats",
                                                        folder / "o.json"}))
                 .status,
             0);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  EXPECT_NEAR(seconds, 4, 1);
+  EXPECT_NEAR(seconds, 6, 1);
   const auto json = nlohmann::json::parse(readFile(folder / "o.json"));
   EXPECT_GT(json["image"]["passes"], 1);
   EXPECT_LT(json["error"]["low"], json["error"]["estimated"]);
@@ -131,7 +131,7 @@ TEST(CliRender, ConvergesAndWritesThePage) {
   const TemporaryFolder folder;
   ASSERT_EQ(runImporton(smallRender(folder / "r.exr", {"--passes", "2", "--seed", "9"})).status, 0);
   const Outcome outcome = runImporton({"converge", kScene, "--reference", folder / "r.exr", "-o", folder / "out",
-                                       "--configs", "uncontrolled", "--times", "5", "--seeds", "1", "--width", "32",
+                                       "--configs", "uncontrolled", "--times", "8", "--seeds", "1", "--width", "32",
                                        "--height", "24", "--photons", "4096"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "");
@@ -140,7 +140,8 @@ TEST(CliRender, ConvergesAndWritesThePage) {
   const auto& points = json["configs"][0]["runs"][0]["points"];
   ASSERT_EQ(points.size(), 1u);
   EXPECT_GT(points[0]["relmse_trimmed"], 0);
-  EXPECT_EQ(points[0]["photons_emitted"], 4096 * points[0]["passes"].get<int>());
+  EXPECT_LE(points[0]["photons_emitted"], 4096 * points[0]["passes"].get<int>());
+  EXPECT_GE(points[0]["photons_emitted"], 1024 * points[0]["passes"].get<int>());  // the first passes are smaller
   EXPECT_EQ(readFile(folder / "out/results.csv").substr(0, 12), "config,seed,");
   EXPECT_EQ(readFile(folder / "out/index.html").substr(0, 15), "<!DOCTYPE html>");
 }

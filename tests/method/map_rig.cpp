@@ -69,8 +69,8 @@ ExpectedDensity MapRig::countPilot(MapKind kind) {
   ExpectedDensity expected(context_, kind, plan.capacityFor(kind));
   work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
   recorder_->fill(work_->counters, 0);
-  for (std::uint32_t first = 0; first < plan.photonsFor(kind); first += plan.batch) {
-    tracePhotons(*stage_, {kind, nullptr, true}, first, std::min(plan.batch, plan.photonsFor(kind) - first), parameters.maxDepth);
+  for (std::uint32_t first = 0; first < plan.whole.photonsFor(kind); first += plan.batch) {
+    tracePhotons(*stage_, {kind, nullptr, true}, first, std::min(plan.batch, plan.whole.photonsFor(kind) - first), parameters.maxDepth);
     expected.count(*stage_, kind == MapKind::caustic ? importance.caustic : importance.global);
   }
   recorder_->submitAndWait();
@@ -83,8 +83,8 @@ PhotonMap MapRig::shoot(MapKind kind, const StorageRule& rule, std::uint64_t cap
   work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
   recorder_->fill(work_->counters, 0);
   map.begin(*stage_);
-  for (std::uint32_t first = 0; first < plan.photonsFor(kind); first += plan.batch) {
-    tracePhotons(*stage_, {kind, nullptr}, first, std::min(plan.batch, plan.photonsFor(kind) - first), parameters.maxDepth);
+  for (std::uint32_t first = 0; first < plan.whole.photonsFor(kind); first += plan.batch) {
+    tracePhotons(*stage_, {kind, nullptr}, first, std::min(plan.batch, plan.whole.photonsFor(kind) - first), parameters.maxDepth);
     map.addBatch(*stage_, required, rule);
   }
   map.finish(*stage_, required, plan.nearestPhotons);

@@ -39,6 +39,14 @@ TEST(ErrorEstimate, HasTheValueWorkedByHand) {
   EXPECT_NEAR(estimate.perPixel[0].x, std::sqrt(0.5), 1e-6);  // the window holds both
 }
 
+// With shares 1/4 and 3/4: means 2.5 and 2, the variance 3/16 (A-B)².
+TEST(ErrorEstimate, WeighsHalvesByTheirShares) {
+  const std::vector<vec3> even{vec3(1), vec3(2)}, odd{vec3(3), vec3(2)};
+  const ErrorEstimate estimate = estimateErrors({even, odd, 0.25f}, {even, odd, 0.25f}, 2);
+  const double floor = 0.01 * 2.25 * 2.25;
+  EXPECT_NEAR(estimate.noise, std::sqrt(0.5 * 0.75 / (2.5 * 2.5 + floor)), 1e-9);
+}
+
 // Halves of noise 0.2: their mean has 0.2/sqrt(2), over the root of the mean of 1/(I² + 0.01). Of 9216 values of chi²
 // with one degree the mean is known to 1.5 %, so the root to 0.75 %, and trimming takes less than 1 %: within 4 %.
 TEST(ErrorEstimate, FindsTheNoise) {
