@@ -48,6 +48,10 @@ std::vector<KnownConfig> knownConfigs() {
           {"density", "--control density"},
           {"unfiltered", "--indirect-filter off"},
           {"differentials", "--importance differentials"},
+          {"probability", "--control probability"},
+          {"power", "--emission power"},
+          {"guided", "--emission guided"},
+          {"photons", "--gather-from photons"},
           {"path", "--integrator path"}};
 }
 
