@@ -3,12 +3,20 @@
 // flux over the cell, weighted by importance. The best density of samples goes with its root.
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/guide.glsl"
-#include "bindings/importance.glsl"
+#include "bindings/site_demand.glsl"
 #include "bindings/selection.glsl"
 #include "lib/photon_stream.glsl"
 
 layout(scalar, binding = kBindingGuideSums) buffer SumsBlock { uint sums[]; };
 layout(push_constant, scalar) uniform PushBlock { GuideLearnPush push; };
+
+/// What hits counted at other times leave missing at a site, of 1; never nothing, for counts err.
+const float kLeastDeficit = 0.05;
+
+float deficitAt(MapSettings map, uint site) {
+  const float hits = float(texelFetch(importonHits, int(site)).x) * push.hitsPerPass;
+  return max(1.0 - hits / hitsAskedAt(map, site), kLeastDeficit);
+}
 
 void main() {
   const uint i = invocationIndex();
@@ -17,11 +25,13 @@ void main() {
   const MapPoint point = recordPoints[at];
   MapSettings map = params.causticMap;
   if (push.isGlobal != 0u) map = params.globalMap;
-  const float importance = importanceAt(map, point.position, mapPointNormal(point.packed));
+  const uint site = importonAt(importonFrame(), map.importonLevels, point.position, mapPointNormal(point.packed));
+  const float importance = site == kNone ? 0.0 : importonImportance(site);
   const uint photon = records[at].kind >> (kRecordRankShift + 5u);
   const vec2 u = sequencePoint(photonStream(push.stream, map, photon), photonIndex(map, photon), kPairDirection);
   const GuidedPoint p = sampleGuide(u, params.lightCount, push.bins);
   const float flux = mean(records[at].flux) * p.density * float(map.photonsPerPass) / params.totalPower;
-  const float share = importance / (importance + push.meanImportance);
+  float share = importance / (importance + push.meanImportance);
+  if (push.hitsPerPass > 0.0 && site != kNone) share *= deficitAt(map, site);
   atomicAdd(sums[p.cell], uint(min(share * flux * flux / p.density, 256.0) * kGuideUnits));
 }

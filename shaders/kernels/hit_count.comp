@@ -1,5 +1,5 @@
 #version 460
-// Counts the caustic hits of a pilot batch near each importon: what a pass is going to bring there.
+// Counts the selected hits of a pilot batch near each importon: what a pass is going to bring there.
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/importance.glsl"
 #include "bindings/selection.glsl"
@@ -10,7 +10,8 @@ layout(push_constant, scalar) uniform PushBlock { HitCountPush push; };
 void main() {
   const uint i = invocationIndex();
   if (i >= counters[kCounterSelected]) return;
+  const uint levels = push.isGlobal != 0u ? params.globalMap.importonLevels : params.causticMap.importonLevels;
   const MapPoint point = recordPoints[selection[i]];
-  const uint importon = importonAt(importonFrame(), params.causticMap.importonLevels, point.position, mapPointNormal(point.packed));
+  const uint importon = importonAt(importonFrame(), levels, point.position, mapPointNormal(point.packed));
   if (importon != kNone) atomicAdd(hitsOut[importon], push.weight);
 }

@@ -60,10 +60,12 @@ struct GuideLearnPush {
   uint stream;
   uint bins;
   float meanImportance;  // pixels/m²
+  float hitsPerPass;     // for each hit that was counted at a site; 0: deficits do not matter
 };
 
 /// kernels/hit_count.comp
 struct HitCountPush {
+  uint isGlobal;
   uint weight;  // hits that each stands for
 };
 
@@ -239,6 +241,12 @@ struct SetCounterPush {
   uint a;      // kNone: nothing is added
   uint b;
   uint limit;  // the counter stays at or below it
+};
+
+/// kernels/site_ask.comp
+struct SiteAskPush {
+  uint count;
+  uint isGlobal;
 };
 
 /// kernels/sort_count.comp

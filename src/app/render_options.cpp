@@ -177,6 +177,18 @@ void addDensityOptions(CLI::App& app, RenderJob& job) {
                             {{"power", EmissionChoice::power}, {"guided", EmissionChoice::guided}}, job.emission,
                             "photons by the lights' power, or guided to what matters\n(default: guided where it pays)")
       ->group(group);
+  addChoice<GuideWeight>(app, "--guide-by",
+                         {{"importance", GuideWeight::importance},
+                          {"deficit", GuideWeight::deficit},
+                          {"potential", GuideWeight::potential}},
+                         job.guideWeight,
+                         "guided photons go so that noise is least where it is important,\nor there but where photons "
+                         "by power leave less than is\nrequired, or in proportion to what they bring to important\nplaces "
+                         "(default: importance)")
+      ->group(group);
+  addChoice<PhotonsShot>(app, "--shoot", {{"all", PhotonsShot::all}, {"enough", PhotonsShot::enough}}, job.shooting,
+                         "all photons of a pass, or as many as important places require\n(default: all)")
+      ->group(group);
   addChoice<GatherSource>(app, "--gather-from",
                           {{"photons", GatherSource::photons}, {"cells", GatherSource::cells}}, job.gatherFrom,
                           "final gather rays read the photons around them, or the\nirradiance of the surface cell that "

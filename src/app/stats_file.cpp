@@ -27,7 +27,8 @@ Json kernelsJson(const std::vector<KernelStats>& kernels) {
 }
 
 Json mapJson(const PhotonMapStats& map) {
-  return {{"hits", map.hits},
+  return {{"emitted", map.emitted},
+          {"hits", map.hits},
           {"stored", map.stored},
           {"redistributed", map.redistributed},
           {"flux_hits", map.fluxHits},
@@ -80,6 +81,7 @@ std::string statsJson(const RenderJob& job, const RenderStats& stats, std::span<
                        {"caustic", stats.importonsCaustic},
                        {"global", stats.importonsGlobal}};
   root["photons"] = {{"emitted", stats.photonsEmitted},
+                     {"pilot", stats.photonsPilot},
                      {"caustic", mapJson(stats.caustic)},
                      {"global", mapJson(stats.global)}};
   root["memory"] = {{"device_peak_bytes", stats.devicePeakBytes},

@@ -58,11 +58,13 @@ void sumUp(std::span<const double> shares, double total, std::vector<float>& out
 
 }  // namespace
 
-GuideShares shareOut(const std::vector<double>& moments, const std::vector<double>& powers, int bins) {
+GuideShares shareOut(const std::vector<double>& moments, const std::vector<double>& powers, int bins,
+                     bool isPotential) {
   const std::size_t perLight = moments.size() / powers.size();
   const std::vector<double> smoothed = smooth(moments, powers.size(), bins);
   double total = 0;
-  for (const double moment : smoothed) total += std::sqrt(moment);
+  const auto weight = [&](double moment) { return isPotential ? moment : std::sqrt(moment); };
+  for (const double moment : smoothed) total += weight(moment);
   GuideShares shares;
   double byPower = 0, byGuide = 0;
   for (std::size_t i = 0; i < moments.size(); ++i) {
@@ -70,7 +72,7 @@ GuideShares shareOut(const std::vector<double>& moments, const std::vector<doubl
     const double even = 1 / static_cast<double>(moments.size());
     const double plain = 0.5 * (power + even);
     // Where nothing is learned yet, each cell keeps some photons beside those of much stronger lights.
-    const double share = total > 0 ? kPlainShare * plain + (1 - kPlainShare) * std::sqrt(smoothed[i]) / total
+    const double share = total > 0 ? kPlainShare * plain + (1 - kPlainShare) * weight(smoothed[i]) / total
                                    : kPlainShare * plain + (1 - kPlainShare) * power;
     shares.cells.push_back(share);
     if (moments[i] <= 0) continue;
@@ -81,11 +83,12 @@ GuideShares shareOut(const std::vector<double>& moments, const std::vector<doubl
   return shares;
 }
 
-EmissionGuide::EmissionGuide(gpu::Context& context, const Scene& scene, MapKind kind, int bins)
+EmissionGuide::EmissionGuide(gpu::Context& context, const Scene& scene, MapKind kind, int bins, bool isPotential)
     : kind_(kind),
       bins_(chooseBins(scene.lights.size(), bins)),
       stream_(kind == MapKind::global ? kStreamGlobalPhotons : kStreamCausticPhotons),
-      powers_(powersOf(scene)) {
+      powers_(powersOf(scene)),
+      isPotential_(isPotential) {
   const std::uint64_t rows = scene.lights.size() * bins_;
   rows_ = gpu::Buffer(context, "guide rows", (rows + 1) * sizeof(float), gpu::TexelFormat::float1);
   columns_ = gpu::Buffer(context, "guide columns", rows * (bins_ + 1) * sizeof(float), gpu::TexelFormat::float1);
@@ -94,18 +97,27 @@ EmissionGuide::EmissionGuide(gpu::Context& context, const Scene& scene, MapKind 
   upload(shareOut(std::vector<double>(rows * bins_), powers_, static_cast<int>(bins_)).cells);
 }
 
+void EmissionGuide::followDeficits(const Stage& stage, const ImportanceMap& importance, const Parameters& parameters,
+                                   float hitsPerPass) {
+  sites_.emplace(stage.gpu, kind_, importance, parameters);
+  sites_->count(stage);
+  hitsPerPass_ = hitsPerPass;
+}
+
 void EmissionGuide::learn(const Stage& stage, const ImportanceMap& importance, float meanImportance) {
   gpu::BindingTable table = stage.work.table;
   importance.bind(table);
+  if (sites_) sites_->bind(table);
   bind(table);
   table.set(kBindingGuideSums, sums_);
   overItems(stage, stage.kernels.guideLearn, table, kCounterSelected,
-            GuideLearnPush{kind_ == MapKind::global, stream_, bins_, meanImportance});
+            GuideLearnPush{kind_ == MapKind::global, stream_, bins_, meanImportance,
+                             hitsPerPass_});
 }
 
 void EmissionGuide::update() {
   const auto sums = sums_.download<uint>(powers_.size() * bins_ * bins_);
-  const GuideShares shares = shareOut({sums.begin(), sums.end()}, powers_, static_cast<int>(bins_));
+  const GuideShares shares = shareOut({sums.begin(), sums.end()}, powers_, static_cast<int>(bins_), isPotential_);
   upload(shares.cells);
   gain_ = shares.gain;
   ++stream_;

@@ -1,9 +1,10 @@
 /// How photons are shared out among the lights and their directions, learned from what earlier ones brought to places
 /// that the camera sees. [Peter and Pietrek 1998; Jensen 1995 for bins over the unit square of directions]
 #pragma once
+#include <optional>
 #include <vector>
 
-#include "render/importance.h"
+#include "render/site_hits.h"
 #include "scene/scene.h"
 
 namespace importon {
@@ -17,13 +18,20 @@ struct GuideShares {
 /// Shares for `lights` lights of `bins` x `bins` cells, by the root of the learned second moment, smoothed; a seventh
 /// goes by power, half of that evenly over the lights, so that nothing has probability zero. `moments`: of each cell;
 /// `powers`: of the lights, sum 1.
-[[nodiscard]] GuideShares shareOut(const std::vector<double>& moments, const std::vector<double>& powers, int bins);
+/// With `isPotential` the shares go by the moments themselves: as much as photons bring to important places, whatever it
+/// does to noise. [Peter and Pietrek 1998]
+[[nodiscard]] GuideShares shareOut(const std::vector<double>& moments, const std::vector<double>& powers, int bins,
+                                   bool isPotential = false);
 
 class EmissionGuide {
  public:
   /// With up to `bins` x `bins` cells per light; fewer for many lights. It starts with shares by power.
-  EmissionGuide(gpu::Context& context, const Scene& scene, MapKind kind, int bins);
+  EmissionGuide(gpu::Context& context, const Scene& scene, MapKind kind, int bins, bool isPotential);
 
+  /// From now on a hit counts by what such hits leave missing of the required density, as counted from the selected
+  /// records, of photons by power; a pass has `hitsPerPass` as many.
+  void followDeficits(const Stage& stage, const ImportanceMap& importance, const Parameters& parameters,
+                      float hitsPerPass);
   /// Records in the workspace, selected for the map, teach the guide. `meanImportance`: pixels/m² of the scene.
   void learn(const Stage& stage, const ImportanceMap& importance, float meanImportance);
   /// Makes new shares from all that was learned so far; the photons to come follow them. The device is idle.
@@ -43,7 +51,10 @@ class EmissionGuide {
   MapKind kind_;
   uint bins_, stream_;
   std::vector<double> powers_;
+  bool isPotential_;
   double gain_ = 1;
+  std::optional<SiteHits> sites_;
+  float hitsPerPass_ = 0;
   gpu::Buffer rows_, columns_, sums_;
 };
 

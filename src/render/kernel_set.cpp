@@ -73,6 +73,7 @@ std::vector<Entry> listMaps(KernelSet& k, const RenderJob& job) {
           {&k.photonScatter, "scatter photon", "photon_scatter", {{kSpecPhotonKind, kPhotonsGlobal}}},
           {&k.causticScatter, "scatter caustic photon", "photon_scatter", {{kSpecPhotonKind, kPhotonsCaustic}}},
           {&k.guideLearn, "learn guide", "guide_learn", {}},
+          {&k.siteAsk, "ask of sites", "site_ask", {}},
           {&k.irradianceAdd, "add to irradiance", "irradiance_add", {}},
           {&k.aovCells, "AOV cells", "aov_cells", {}},
           {&k.recordSelect, "select records", "record_select", {}},

@@ -13,7 +13,7 @@ struct KernelSet {
   gpu::Kernel importonEmit, importonDifferential, importonBound, importonScatter, importonCount, importonLevel,
       importonEntries, importonPoints,
       importonDensity, importonKey, importonResolve;
-  gpu::Kernel photonEmit, photonEmitGuided, photonScatter, causticScatter, guideLearn, irradianceAdd, aovCells;
+  gpu::Kernel photonEmit, photonEmitGuided, photonScatter, causticScatter, guideLearn, irradianceAdd, aovCells, siteAsk;
   gpu::Kernel recordSelect, hitCount, hitKey, photonQuota, photonStore, photonThin, pilotCount, photonKey,
       photonEntries, photonEntryPoints,
       photonRedistribute, photonResolve, fluxSum;

@@ -17,19 +17,19 @@ std::uint32_t spread(std::uint32_t x) {
   return (x | x << 2) & 0x09249249u;
 }
 
-std::uint32_t codeOf(vec3 position, vec3 origin, float extent) {
+}  // namespace
+
+std::uint32_t zOrderCode(vec3 position, vec3 origin, float extent) {
   constexpr float kCells = 1 << kLevels;
   const vec3 p = glm::clamp((position - origin) * (kCells / extent), vec3(0), vec3(kCells - 1));
   return spread(static_cast<std::uint32_t>(p.x)) | spread(static_cast<std::uint32_t>(p.y)) << 1 |
          spread(static_cast<std::uint32_t>(p.z)) << 2;
 }
 
-}  // namespace
-
 PointDensity::PointDensity(std::span<const vec3> points, std::span<const float> weights, vec3 origin, float extent)
     : origin_(origin), extent_(extent) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> order(points.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = {codeOf(points[i], origin, extent), i};
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = {zOrderCode(points[i], origin, extent), i};
   std::sort(order.begin(), order.end());
   double sum = 0;
   sums_.push_back(0);
@@ -40,7 +40,7 @@ PointDensity::PointDensity(std::span<const vec3> points, std::span<const float> 
 }
 
 double PointDensity::at(vec3 position) const {
-  const std::uint32_t code = codeOf(position, origin_, extent_);
+  const std::uint32_t code = zOrderCode(position, origin_, extent_);
   auto begin = codes_.begin(), end = codes_.end();
   int level = 0;
   while (level < kLevels) {

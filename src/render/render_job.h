@@ -19,6 +19,8 @@ enum class PowerShares { count, distance, direction };  // kShare*
 enum class MapLookup { radius, nearest };
 enum class IrradianceCache { off, photons, importons };  // where irradiance of the global map is precomputed
 enum class EmissionChoice { automatic, power, guided };
+enum class GuideWeight { importance, deficit, potential };  // what guided emission follows
+enum class PhotonsShot { all, enough };          // of a pass: all that it may have, or what important places require
 
 /// Unset optionals are chosen automatically. Names follow the options of `importon render`. What decides the image
 /// also goes into settingsOf in job_fingerprint.cpp.
@@ -41,6 +43,8 @@ struct RenderJob {
   DifferentialBound differentialBound = DifferentialBound::screen;
   GatherSource gatherFrom = GatherSource::automatic;  // cells, where the rest is as by default
   EmissionChoice emission = EmissionChoice::automatic;
+  GuideWeight guideWeight = GuideWeight::importance;
+  PhotonsShot shooting = PhotonsShot::all;
   std::optional<std::uint32_t> photonBatch;  // photons traced at once
   double causticDensity = 20, globalDensity = 1.5;  // M_r, photons per pixel footprint
   std::optional<double> constantDensity;     // photons/m², the same everywhere

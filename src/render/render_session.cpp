@@ -28,9 +28,6 @@ uvec2 wordsOf(std::uint64_t n) { return {static_cast<uint>(n), static_cast<uint>
 
 bool isPointLayer(const std::string& name) { return name.starts_with("importons.") || name.starts_with("photons."); }
 
-constexpr int kCausticBins = 128, kGlobalBins = 16;  // of a guide, along both axes of a light's unit square
-constexpr double kLeastGain = 1.5;                  // learned, from which on global photons are guided
-
 /// Builds the BVH; a progress line when it takes long.
 Bvh buildSceneBvh(const Scene& scene, const RenderJob& job, Log& log, double& seconds) {
   const Clock::time_point start = Clock::now();
@@ -91,6 +88,7 @@ void RenderSession::findImportance() {
     now_.photons = now_.causticPhotons = plan_.whole.photons = plan_.whole.causticPhotons = 0;
   if (features_.readsCells) cellSizes_.emplace(densityOfRecords(1, true));
   trainGuides();
+  findEnoughPhotons();
   countCausticHits();
   shootPilot();
   if (features_.readsCells) findCellSizes();
@@ -104,22 +102,6 @@ float RenderSession::meanImportance() const {
   return static_cast<float>(size_.x) * static_cast<float>(size_.y) / static_cast<float>(surfaceArea_);
 }
 
-void RenderSession::trainGuides() {
-  if (job_.emission == EmissionChoice::power || plan_.whole.photons == 0) return;
-  startPass(0);
-  const auto train = [&](std::optional<EmissionGuide>& guide, MapKind kind, const ImportanceMap& importance, int bins) {
-    guide.emplace(*context_, scene_, kind, bins);
-    tracePhotons(*stage_, {kind, &*guide}, 0, std::min(plan_.batch, now_.photonsFor(kind)), parameters_.maxDepth);
-    selectRecords(*stage_, recordMask(kind));
-    guide->learn(*stage_, importance, meanImportance());
-    recorder_->submitAndWait();
-    guide->update();
-  };
-  train(globalGuide_, MapKind::global, importance_.global, kGlobalBins);
-  if (job_.emission == EmissionChoice::automatic && globalGuide_->gain() < kLeastGain) globalGuide_.reset();
-  if (causticMap_) train(causticGuide_, MapKind::caustic, importance_.caustic, kCausticBins);
-}
-
 void RenderSession::countCausticHits() {
   if (!causticMap_ || importance_.caustic.count == 0 || now_.causticPhotons == 0) return;
   startPass(0);
@@ -128,10 +110,9 @@ void RenderSession::countCausticHits() {
   gpu::BindingTable table = work_->table;
   importance_.caustic.bind(table);
   for (std::uint32_t first = 0; first < photons; first += plan_.batch) {
-    tracePhotons(*stage_, {MapKind::caustic, causticGuide_ ? &*causticGuide_ : nullptr, true}, first,
-                 std::min(plan_.batch, photons - first), parameters_.maxDepth);
+    tracePilot({MapKind::caustic, causticGuide_ ? &*causticGuide_ : nullptr, true}, first, std::min(plan_.batch, photons - first));
     selectRecords(*stage_, recordMask(MapKind::caustic));
-    overItems(*stage_, kernels_.hitCount, table, kCounterSelected, HitCountPush{weight});
+    overItems(*stage_, kernels_.hitCount, table, kCounterSelected, HitCountPush{false, weight});
   }
   recorder_->submitAndWait();
   done_.causticCounted = now_.causticPhotons;
@@ -145,8 +126,7 @@ void RenderSession::shootPilot() {
     expected.emplace(*context_, kind, plan_.capacityFor(kind));
     const std::uint32_t photons = now_.photonsFor(kind);
     for (std::uint32_t first = 0; first < photons; first += plan_.batch) {
-      tracePhotons(*stage_, {kind, guide ? &*guide : nullptr, true}, first, std::min(plan_.batch, photons - first),
-                   parameters_.maxDepth);
+      tracePilot({kind, guide ? &*guide : nullptr, true}, first, std::min(plan_.batch, photons - first));
       expected->count(*stage_, importance);
     }
     recorder_->submitAndWait();
@@ -303,7 +283,9 @@ void RenderSession::countPass(int pass) {
   if (counters[kCounterTraceUnfinished] > 0)
     log_.warn("rays given up", fmt::format("{} rays were too long for this device", counters[kCounterTraceUnfinished]));
   if (!hasMaps()) return;
-  stats_.photonsEmitted += now_.photons + (causticMap_ ? now_.causticPhotons : 0);
+  stats_.global.emitted += now_.photons;
+  if (causticMap_) stats_.caustic.emitted += now_.causticPhotons;
+  stats_.photonsEmitted = stats_.global.emitted + stats_.caustic.emitted;
   if (globalMap_) addCounts(stats_.global, globalMap_->readCounts(*stage_, parameters_.fluxScale), "global");
   else if (irradiance_) {
     stats_.global.hits += counters[kCounterCellHits];

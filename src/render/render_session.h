@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "base/log.h"
-#include "render/emission_guide.h"
+#include "render/photon_pass.h"
 #include "render/checkpoint.h"
 #include "render/device_scene.h"
 #include "render/eye_pass.h"
@@ -87,6 +87,11 @@ class RenderSession {
   void shootFor(MapKind kind, bool isFirst);
   /// Shoots photons whose only use is to teach the guides, and drops those that do not pay.
   void trainGuides();
+  /// Shoots photons whose hits are only counted until the places that matter have what they require: as many are a
+  /// pass's from then on. Those of the maps have other random numbers, so their mean does not depend on it.
+  void findEnoughPhotons();
+  /// Photons that are in no map.
+  void tracePilot(const PhotonSource& source, std::uint32_t first, std::uint32_t count);
   void updateGuides();
   /// Shoots photons whose hits are only counted, so that the first pass reads the caustic map with the right radius.
   void countCausticHits();

@@ -36,7 +36,7 @@ PointDensity RenderSession::densityOfRecords(float scale, bool isFlux) const {
 void RenderSession::findCellSizes() {
   startPass(0);
   const std::uint32_t pilot = std::min({plan_.batch, plan_.whole.photons, kPilotPhotons});
-  if (pilot > 0) tracePhotons(*stage_, {MapKind::global, nullptr, true}, 0, pilot, parameters_.maxDepth);
+  if (pilot > 0) tracePilot({MapKind::global, nullptr, true}, 0, pilot);
   recorder_->submitAndWait();
   const float perPass = static_cast<float>(plan_.whole.photons) / static_cast<float>(std::max(pilot, 1u));
   cellSizes_->hits = densityOfRecords(perPass, false);

@@ -17,6 +17,7 @@ struct KernelStats {
 
 /// One photon map. Counts are sums over passes.
 struct PhotonMapStats {
+  std::uint64_t emitted = 0;         // photons
   std::uint64_t hits = 0;            // on surfaces of the kind that the map holds
   std::uint64_t stored = 0;          // photons in the map that the gather reads
   std::uint64_t redistributed = 0;   // hits that gave their power away
@@ -53,6 +54,7 @@ struct RenderStats {
   std::uint64_t closestRays = 0, shadowRays = 0;
   std::uint64_t importonsEmitted = 0, importonsCaustic = 0, importonsGlobal = 0;
   std::uint64_t photonsEmitted = 0;
+  std::uint64_t photonsPilot = 0;  // in no map: they teach, or their hits are only counted
   PhotonMapStats caustic, global;
   std::uint64_t devicePeakBytes = 0, photonMapBytes = 0, hostPeakBytes = 0;
   ErrorStats error;

@@ -36,7 +36,7 @@ ImportonsFound MapRig::importons(MapKind kind) const {
 }
 
 EmissionGuide MapRig::teachGuide(const Scene& scene, MapKind kind, int bins) {
-  EmissionGuide guide(context_, scene, kind, bins);
+  EmissionGuide guide(context_, scene, kind, bins, false);
   const ImportanceMap& map = kind == MapKind::caustic ? importance.caustic : importance.global;
   const double pixels = static_cast<double>(parameters.width) * static_cast<double>(parameters.height);
   work_->parameters.upload(std::span<const Parameters>(&parameters, 1));

@@ -32,7 +32,7 @@ StudyReport sampleStudy() {
       }
     }
     result.stats.photonsEmitted = 1000;
-    result.stats.global = {2000, 500, 1500, {1, 2, 3}, {1, 2, 3}};
+    result.stats.global = {4000, 2000, 500, 1500, {1, 2, 3}, {1, 2, 3}};
     result.stats.width = 2;
     result.stats.height = 1;
     report.results.push_back(std::move(result));

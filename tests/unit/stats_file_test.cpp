@@ -26,7 +26,7 @@ RenderStats sample() {
   stats.closestRays = 12'345'678'901'234u;
   stats.importonsEmitted = 100;
   stats.photonsEmitted = 200;
-  stats.caustic = {7, 5, 2, {1, 2, 3}, {1, 2, 3}};
+  stats.caustic = {9, 7, 5, 2, {1, 2, 3}, {1, 2, 3}};
   stats.global.hits = 11;
   stats.devicePeakBytes = 1024;
   stats.error.estimated = 0.04;
@@ -61,8 +61,8 @@ TEST(StatsFile, HasTheKeysOfTheContract) {
   EXPECT_EQ(keysOf(json["kernels"][0]), (Keys{"label", "launches", "total_ms"}));
   EXPECT_EQ(keysOf(json["rays"]), (Keys{"closest", "shadow"}));
   EXPECT_EQ(keysOf(json["importons"]), (Keys{"emitted", "caustic", "global"}));
-  EXPECT_EQ(keysOf(json["photons"]), (Keys{"emitted", "caustic", "global"}));
-  const Keys mapKeys{"hits", "stored", "redistributed", "flux_hits", "flux_map"};
+  EXPECT_EQ(keysOf(json["photons"]), (Keys{"emitted", "pilot", "caustic", "global"}));
+  const Keys mapKeys{"emitted", "hits", "stored", "redistributed", "flux_hits", "flux_map"};
   EXPECT_EQ(keysOf(json["photons"]["caustic"]), mapKeys);
   EXPECT_EQ(keysOf(json["photons"]["global"]), mapKeys);
   EXPECT_EQ(keysOf(json["memory"]), (Keys{"device_peak_bytes", "photon_map_bytes", "host_peak_bytes"}));

@@ -1,0 +1,15 @@
+#version 460
+// Writes how many hits of a pass the required density asks for at each site.
+#extension GL_GOOGLE_include_directive : require
+#include "bindings/site_demand.glsl"
+
+layout(scalar, binding = kBindingWeightsOut) writeonly buffer AskedBlock { float asked[]; };
+layout(push_constant, scalar) uniform PushBlock { SiteAskPush push; };
+
+void main() {
+  const uint site = invocationIndex();
+  if (site >= push.count) return;
+  MapSettings map = params.causticMap;
+  if (push.isGlobal != 0u) map = params.globalMap;
+  asked[site] = hitsAskedAt(map, site);
+}
