@@ -1,5 +1,7 @@
 #include "render/film.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdint>
 
@@ -9,12 +11,24 @@
 #include "render/indirect_filter.h"
 
 namespace importon {
+namespace {
+
+/// Bytes that a film may take. A CPU device shares the host's memory, of which drivers may name a part only as theirs.
+std::uint64_t memoryFor(const gpu::Limits& limits) {
+  if (!limits.isCpu) return limits.heapBytes;
+  const long pages = sysconf(_SC_PHYS_PAGES), pageBytes = sysconf(_SC_PAGESIZE);
+  return std::max(limits.heapBytes, static_cast<std::uint64_t>(std::max(pages, 0L)) * static_cast<std::uint64_t>(pageBytes));
+}
+
+}  // namespace
+
 Film::Film(gpu::Context& context, std::uint64_t pixels, std::uint64_t tilePixels) : pixels_(pixels) {
   // A CPU device shares its memory with the host, which reads the film back and resolves it.
   const std::uint64_t need = 2 * pixels * sizeof(FilmPixel) * (context.limits().isCpu ? 3 : 1);
-  if (need > context.limits().heapBytes)
+  const std::uint64_t memory = memoryFor(context.limits());
+  if (need > memory)
     throw DeviceError(fmt::format("an image of {} pixels needs {} MiB of memory", pixels, need >> 20),
-                      fmt::format("{} has {} MiB", context.info().name, context.limits().heapBytes >> 20),
+                      fmt::format("{} has {} MiB", context.info().name, memory >> 20),
                       "lower --width and --height");
   for (std::uint64_t first = 0; first < pixels; first += tilePixels) {
     const std::uint64_t count = std::min(tilePixels, pixels - first);

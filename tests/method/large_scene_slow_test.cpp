@@ -91,5 +91,21 @@ TEST_F(LargeScene, OfTenMillionTrianglesRenders) {
               1 - std::log(p) / std::log(kSignificance));
 }
 
+TEST_F(LargeScene, ImageOf4096By4096PixelsRenders) {
+  test::StabilityCase listed(57, "an image of 4096 x 4096 pixels", "the mean of 64 x 64");
+  RenderJob job;
+  job.passes = 1;
+  job.integrator = Integrator::path;
+  job.maxDepth = 3;
+  const RenderResult large = test::renderScene(finelyCutBox(1, 4096, 4096), job);
+  job.seed = 1;
+  job.gather = 64;
+  const RenderResult small = test::renderScene(finelyCutBox(1, 64, 64), job);
+  const double p = equality(averagedTo(large, 64, 64), averagedTo(small, 64, 64));
+  EXPECT_GT(p, kSignificance);
+  listed.note(std::to_string(large.stats.devicePeakBytes >> 20) + " MiB on the device, " + std::to_string(peakHostMiB()) + " MiB in all",
+              1 - std::log(p) / std::log(kSignificance));
+}
+
 }  // namespace
 }  // namespace importon
