@@ -1,10 +1,13 @@
-// Photons as they leave the lights: chosen by power, or as a guide has learned, with the flux that makes up for it.
+// Lights are chosen with the probability that is stated: by photons, by power or as a guide has learned, and for points.
 #include <gtest/gtest.h>
+
+#include <random>
 
 #include "method/map_rig.h"
 #include "support/gpu_test.h"
 #include "support/scene_builder.h"
 #include "support/statistics.h"
+#include "test_kernels/registry.h"
 
 namespace importon::test {
 namespace {
@@ -81,6 +84,63 @@ TEST_F(EmissionTest, AGuidesPhotonsHaveTheDensityThatTheirFluxStates) {
     if (kind == MapKind::caustic) {
       EXPECT_GT(guide.gain(), 1.5);
     }
+  }
+}
+
+/// As in tests/kernels/light_choice.comp.
+struct LightQuery {
+  vec3 x;
+  float u = 0;
+  uint light = 0;
+};
+struct LightAnswer {
+  uint chosen;
+  float chosenProbability, probability, rest;
+};
+
+std::vector<LightAnswer> chooseLights(gpu::Context& context, const MapRig& rig, const std::vector<LightQuery>& queries) {
+  const gpu::Kernel kernel(context, "light choice", test_kernels::spirv("light_choice"), specializations(rig.features()));
+  const gpu::Buffer input = gpu::makeBuffer(context, "queries", std::span<const LightQuery>(queries));
+  const gpu::Buffer output(context, "answers", queries.size() * sizeof(LightAnswer));
+  gpu::BindingTable bindings = rig.bindings();
+  bindings.set(100, input);
+  bindings.set(101, output);
+  gpu::Recorder recorder(context);
+  recorder.dispatch(kernel, bindings, queries.size(), static_cast<std::uint32_t>(queries.size()));
+  recorder.submitAndWait();
+  return output.download<LightAnswer>(queries.size());
+}
+
+// Some of the lights are hidden from some of the places, as the photons have found. What the choice leaves of its random
+// number is uniform again.
+TEST_F(EmissionTest, LightsForAPointAreChosenWithTheStatedProbability) {
+  MapRig rig(context(), scene_, job_);
+  rig.findImportance();
+  static_cast<void>(rig.shoot(MapKind::global, DensityControl::off, 0));  // shows which lights reach where
+  constexpr std::size_t kSamples = 50'000, kBins = 10;
+  const std::vector<vec3> places{vec3(0.1f, -0.99f, 0.4f), vec3(-0.3f, -0.95f, 0.1f), vec3(0.2f, 0.97f, 0.1f), vec3(0.7f, 0.5f, -0.69f)};
+  const double significance = sidak(kSignificance, static_cast<std::int64_t>(2 * places.size()));
+  const std::size_t lights = scene_.lights.size();
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> unit(0, 0.99999994f);
+  for (const vec3& x : places) {
+    std::vector<LightQuery> queries(kSamples, LightQuery{x});
+    for (LightQuery& query : queries) query.u = unit(random);
+    for (uint i = 0; i < lights; ++i) queries[i].light = i;
+    const auto answers = chooseLights(context(), rig, queries);
+    std::vector<double> counts(lights), expected(lights), rests(kBins);
+    for (std::size_t i = 0; i < lights; ++i) expected[i] = static_cast<double>(answers[i].probability);
+    double sum = 0;
+    for (const double p : expected) sum += p;
+    ASSERT_NEAR(sum, 1, 1e-5);
+    for (double& p : expected) p *= kSamples / sum;
+    for (const LightAnswer& a : answers) {
+      ++counts[a.chosen];
+      ++rests[static_cast<std::size_t>(a.rest * static_cast<float>(kBins))];
+      ASSERT_NEAR(a.chosenProbability / answers[a.chosen].probability, 1, 1e-5);
+    }
+    EXPECT_GT(chiSquareTest(counts, expected).pValue, significance);
+    EXPECT_GT(chiSquareTest(rests, std::vector<double>(kBins, kSamples / kBins)).pValue, significance);
   }
 }
 

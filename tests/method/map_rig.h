@@ -40,6 +40,9 @@ class MapRig {
   [[nodiscard]] PhotonMap shoot(MapKind kind, DensityControl control, uint receivers, std::uint64_t capacity = 0) {
     return shoot(kind, {control, receivers}, capacity);
   }
+  /// For kernels of tests: what the renderer's kernels are bound to, and made for.
+  [[nodiscard]] const gpu::BindingTable& bindings() const { return work_->table; }
+  [[nodiscard]] const FeatureSet& features() const { return features_; }
   /// A guide that a batch of photons has taught. Importance must have been found.
   [[nodiscard]] EmissionGuide teachGuide(const Scene& scene, MapKind kind, int bins);
   /// A batch of photons as they leave the lights, by power or as a guide has it.
