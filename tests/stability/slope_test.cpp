@@ -76,5 +76,28 @@ TEST_F(ErrorSlopes, SlowOfThePathTracerIsOneAtLeast) {
   listed.note("slope " + std::to_string(found), 1);
 }
 
+/// The same room by gathering from surface cells, under density control and with gathers shared among pixels.
+TEST_F(ErrorSlopes, SlowOfTheDefaultImageDoesNotStall) {
+  StabilityCase listed(35, "gathering from cells in a glowing room, 4 to 64 passes", "MSE falls at least as passes^(-2/3 + 0.1)");
+  RenderJob job = makeJob(Integrator::photon, 1);
+  job.maxDepth = 40;
+  job.filtersIndirect = true;
+  const double found = slope(job, glowingRoom(), 4, 64, 2);
+  EXPECT_LE(found, -2.0 / 3 + 0.1);
+  listed.note("slope " + std::to_string(found), 1);
+}
+
+/// Walls lie where voxels of seen lights would meet, were these not shifted: 1 + 0.5 is emitted and reflected once.
+TEST_F(ErrorSlopes, OfDirectLightDoNotEndAtABias) {
+  const StabilityCase listed(58, "direct light in a closed room whose walls glow", "L = 1.5");
+  Moments means;
+  for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+    RenderJob job = makeJob(Integrator::photon, 8, seed);
+    job.aovs = {"direct"};
+    means.add(momentsOf(renderScene(job, glowingRoom()).image.find("direct.G")->values).mean());
+  }
+  EXPECT_TRUE(hasMean(means, 1.5));
+}
+
 }  // namespace
 }  // namespace importon::test
