@@ -84,6 +84,7 @@ TEST_F(Furnace, PhotonMappedSphereIsUniform) {
 TEST_F(Furnace, PhotonMappedBoxIsUniformAsTheRadiusVanishes) {
   RenderJob job = deepJob(Integrator::photon, 1, 0.5f);
   job.control = DensityControl::off;
+  job.gatherFrom = GatherSource::photons;
   const Scene scene = glowingBox(0.5f);
   const auto meansAtRadius = [&](double radius) {
     job.constantDensity = 32 / (glm::pi<double>() * radius * radius);
