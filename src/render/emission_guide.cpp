@@ -59,11 +59,11 @@ void sumUp(std::span<const double> shares, double total, std::vector<float>& out
 }  // namespace
 
 GuideShares shareOut(const std::vector<double>& moments, const std::vector<double>& powers, int bins,
-                     bool isPotential) {
+                     GuideWeight guideWeight) {
   const std::size_t perLight = moments.size() / powers.size();
   const std::vector<double> smoothed = smooth(moments, powers.size(), bins);
   double total = 0;
-  const auto weight = [&](double moment) { return isPotential ? moment : std::sqrt(moment); };
+  const auto weight = [&](double moment) { return guideWeight == GuideWeight::potential ? moment : std::sqrt(moment); };
   for (const double moment : smoothed) total += weight(moment);
   GuideShares shares;
   double byPower = 0, byGuide = 0;
@@ -83,18 +83,18 @@ GuideShares shareOut(const std::vector<double>& moments, const std::vector<doubl
   return shares;
 }
 
-EmissionGuide::EmissionGuide(gpu::Context& context, const Scene& scene, MapKind kind, int bins, bool isPotential)
+EmissionGuide::EmissionGuide(gpu::Context& context, const Scene& scene, MapKind kind, int bins, GuideWeight weight)
     : kind_(kind),
       bins_(chooseBins(scene.lights.size(), bins)),
       stream_(kind == MapKind::global ? kStreamGlobalPhotons : kStreamCausticPhotons),
       powers_(powersOf(scene)),
-      isPotential_(isPotential) {
+      weight_(weight) {
   const std::uint64_t rows = scene.lights.size() * bins_;
   rows_ = gpu::Buffer(context, "guide rows", (rows + 1) * sizeof(float), gpu::TexelFormat::float1);
   columns_ = gpu::Buffer(context, "guide columns", rows * (bins_ + 1) * sizeof(float), gpu::TexelFormat::float1);
   sums_ = gpu::Buffer(context, "guide sums", rows * bins_ * sizeof(uint));
   sums_.upload(std::span<const uint>(std::vector<uint>(rows * bins_)));
-  upload(shareOut(std::vector<double>(rows * bins_), powers_, static_cast<int>(bins_)).cells);
+  upload(shareOut(std::vector<double>(rows * bins_), powers_, static_cast<int>(bins_), weight_).cells);
 }
 
 void EmissionGuide::followDeficits(const Stage& stage, const ImportanceMap& importance, const Parameters& parameters,
@@ -111,13 +111,12 @@ void EmissionGuide::learn(const Stage& stage, const ImportanceMap& importance, f
   bind(table);
   table.set(kBindingGuideSums, sums_);
   overItems(stage, stage.kernels.guideLearn, table, kCounterSelected,
-            GuideLearnPush{kind_ == MapKind::global, stream_, bins_, meanImportance,
-                             hitsPerPass_});
+            GuideLearnPush{kind_ == MapKind::global, stream_, bins_, meanImportance, hitsPerPass_});
 }
 
 void EmissionGuide::update() {
   const auto sums = sums_.download<uint>(powers_.size() * bins_ * bins_);
-  const GuideShares shares = shareOut({sums.begin(), sums.end()}, powers_, static_cast<int>(bins_), isPotential_);
+  const GuideShares shares = shareOut({sums.begin(), sums.end()}, powers_, static_cast<int>(bins_), weight_);
   upload(shares.cells);
   gain_ = shares.gain;
   ++stream_;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/render_job.h"
 #include "render/site_hits.h"
 #include "scene/scene.h"
 
@@ -18,15 +19,15 @@ struct GuideShares {
 /// Shares for `lights` lights of `bins` x `bins` cells, by the root of the learned second moment, smoothed; a seventh
 /// goes by power, half of that evenly over the lights, so that nothing has probability zero. `moments`: of each cell;
 /// `powers`: of the lights, sum 1.
-/// With `isPotential` the shares go by the moments themselves: as much as photons bring to important places, whatever it
-/// does to noise. [Peter and Pietrek 1998]
+/// With GuideWeight::potential the shares go by the moments themselves: as much as photons bring to important places,
+/// whatever it does to noise. [Peter and Pietrek 1998]
 [[nodiscard]] GuideShares shareOut(const std::vector<double>& moments, const std::vector<double>& powers, int bins,
-                                   bool isPotential = false);
+                                   GuideWeight weight);
 
 class EmissionGuide {
  public:
   /// With up to `bins` x `bins` cells per light; fewer for many lights. It starts with shares by power.
-  EmissionGuide(gpu::Context& context, const Scene& scene, MapKind kind, int bins, bool isPotential);
+  EmissionGuide(gpu::Context& context, const Scene& scene, MapKind kind, int bins, GuideWeight weight);
 
   /// From now on a hit counts by what such hits leave missing of the required density, as counted from the selected
   /// records, of photons by power; a pass has `hitsPerPass` as many.
@@ -51,7 +52,7 @@ class EmissionGuide {
   MapKind kind_;
   uint bins_, stream_;
   std::vector<double> powers_;
-  bool isPotential_;
+  GuideWeight weight_;
   double gain_ = 1;
   std::optional<SiteHits> sites_;
   float hitsPerPass_ = 0;

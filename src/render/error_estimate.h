@@ -24,10 +24,10 @@ struct ErrorEstimate {
 };
 
 /// `shown` are the halves with indirect light shared among pixels, `raw` without; the image is the mean of
-/// shown.even and shown.odd, the former with share w. With A, B the shown halves and a, b the raw ones, the noise is the
-/// root of the mean of w(1-w)(A-B)² / (I² + 0.01 mean(I)²) over pixels and channels without the worst thousandth of the pixels. A-a and B-b
-/// have the bias in common and nothing else, so the mean of their product is the squared bias; the differences are
-/// averaged over blocks of pixels first, since bias is smooth and noise is not.
+/// shown.even and shown.odd, the former with share w. With A, B the shown halves and a, b the raw ones, the noise is
+/// the root of the mean of w(1-w)(A-B)² / (I² + 0.01 mean(I)²) over pixels and channels without the worst thousandth
+/// of the pixels. A-a and B-b have the bias in common and nothing else, so the mean of their product is the squared
+/// bias; the differences are averaged over blocks of pixels first, since bias is smooth and noise is not.
 [[nodiscard]] ErrorEstimate estimateErrors(const HalfImages& shown, const HalfImages& raw, int width);
 
 }  // namespace importon

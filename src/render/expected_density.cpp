@@ -17,7 +17,6 @@ void ExpectedDensity::count(const Stage& stage, const ImportanceMap& importance)
   gpu::BindingTable table = stage.work.table;
   importance.bind(table);
   bind(table);
-  selectRecords(stage, recordMask(kind_));
   overItems(stage, stage.kernels.pilotCount, table, kCounterSelected, PilotCountPush{kind_ == MapKind::global});
 }
 

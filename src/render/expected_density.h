@@ -10,7 +10,7 @@ class ExpectedDensity {
   /// For a map of up to `capacity` photons. Where the table of cells is full, hits are stored with certainty.
   ExpectedDensity(gpu::Context& context, MapKind kind, std::uint64_t capacity);
 
-  /// Counts the batch of hits in the workspace's records. Over all batches there must be a pass's photons.
+  /// Counts the selected records of the workspace. Over all batches there must be a pass's photons.
   void count(const Stage& stage, const ImportanceMap& importance);
   void bind(gpu::BindingTable& table) const;
 

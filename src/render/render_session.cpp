@@ -90,7 +90,7 @@ void RenderSession::findImportance() {
   trainGuides();
   findEnoughPhotons();
   countCausticHits();
-  shootPilot();
+  expectDensity();
   if (features_.readsCells) findCellSizes();
   stats_.importonsEmitted = plan_.importons;
   stats_.importonsCaustic = importance_.caustic.count;
@@ -100,39 +100,6 @@ void RenderSession::findImportance() {
 
 float RenderSession::meanImportance() const {
   return static_cast<float>(size_.x) * static_cast<float>(size_.y) / static_cast<float>(surfaceArea_);
-}
-
-void RenderSession::countCausticHits() {
-  if (!causticMap_ || importance_.caustic.count == 0 || now_.causticPhotons == 0) return;
-  startPass(0);
-  const uint weight = std::max(now_.causticPhotons / plan_.batch, 1u);  // of a share of the photons of a pass
-  const std::uint32_t photons = now_.causticPhotons / weight;
-  gpu::BindingTable table = work_->table;
-  importance_.caustic.bind(table);
-  for (std::uint32_t first = 0; first < photons; first += plan_.batch) {
-    tracePilot({MapKind::caustic, causticGuide_ ? &*causticGuide_ : nullptr, true}, first, std::min(plan_.batch, photons - first));
-    selectRecords(*stage_, recordMask(MapKind::caustic));
-    overItems(*stage_, kernels_.hitCount, table, kCounterSelected, HitCountPush{false, weight});
-  }
-  recorder_->submitAndWait();
-  done_.causticCounted = now_.causticPhotons;
-}
-
-void RenderSession::shootPilot() {
-  if (control_ != DensityControl::probability) return;
-  startPass(0);
-  const auto count = [&](std::optional<ExpectedDensity>& expected, MapKind kind, const ImportanceMap& importance,
-                         const std::optional<EmissionGuide>& guide) {
-    expected.emplace(*context_, kind, plan_.capacityFor(kind));
-    const std::uint32_t photons = now_.photonsFor(kind);
-    for (std::uint32_t first = 0; first < photons; first += plan_.batch) {
-      tracePilot({kind, guide ? &*guide : nullptr, true}, first, std::min(plan_.batch, photons - first));
-      expected->count(*stage_, importance);
-    }
-    recorder_->submitAndWait();
-  };
-  count(globalExpected_, MapKind::global, importance_.global, globalGuide_);
-  if (causticMap_) count(causticExpected_, MapKind::caustic, importance_.caustic, causticGuide_);
 }
 
 StorageRule RenderSession::storageRule(MapKind kind) const {
@@ -216,13 +183,12 @@ void RenderSession::shootFor(MapKind kind, bool isFirst) {
   const bool fillsCells = isGlobal && irradiance_ && isFirst;
   if (!map && !fillsCells) return;
   const ImportanceMap& importance = isGlobal ? importance_.global : importance_.caustic;
-  std::optional<EmissionGuide>& guide = isGlobal ? globalGuide_ : causticGuide_;
+  EmissionGuide* guide = guideFor(kind);
   const bool isLearning = guide && isFirst && static_cast<int>(parameters_.pass) < kLearningPasses;
   if (map) map->begin(*stage_);
   const std::uint32_t photons = now_.photonsFor(kind);
   for (std::uint32_t first = 0; first < photons; first += plan_.batch) {
-    tracePhotons(*stage_, {kind, guide ? &*guide : nullptr}, first, std::min(plan_.batch, photons - first),
-                 parameters_.maxDepth);
+    tracePhotons(*stage_, {kind, guide}, first, std::min(plan_.batch, photons - first), parameters_.maxDepth);
     if (fillsCells) irradiance_->addBatch(*stage_);
     if (map) map->addBatch(*stage_, importance, storageRule(kind));
     else if (isLearning) selectRecords(*stage_, recordMask(kind));

@@ -90,14 +90,18 @@ class RenderSession {
   /// Shoots photons whose hits are only counted until the places that matter have what they require: as many are a
   /// pass's from then on. Those of the maps have other random numbers, so their mean does not depend on it.
   void findEnoughPhotons();
-  /// Photons that are in no map.
+  /// A batch of photons that are in no map; selects their records for the map of their kind.
   void tracePilot(const PhotonSource& source, std::uint32_t first, std::uint32_t count);
+  /// As many in batches, with `count` after each; waits for the device.
+  void tracePilots(const PhotonSource& source, std::uint32_t photons, const std::function<void()>& count);
   void updateGuides();
   /// Shoots photons whose hits are only counted, so that the first pass reads the caustic map with the right radius.
   void countCausticHits();
   /// Shoots photons whose hits are only counted, for storage by probability.
-  void shootPilot();
+  void expectDensity();
   [[nodiscard]] StorageRule storageRule(MapKind kind) const;
+  /// Null: emission by power.
+  [[nodiscard]] EmissionGuide* guideFor(MapKind kind);
   [[nodiscard]] float meanImportance() const;  // pixels/m², if it were the same everywhere
   [[nodiscard]] bool isMapFull() const;
   /// Lowers the required density so that the maps fit in memory; warns.

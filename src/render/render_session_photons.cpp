@@ -17,19 +17,33 @@ constexpr float kPassesInCells = 4;                  // in each half of the surf
 
 void RenderSession::tracePilot(const PhotonSource& source, std::uint32_t first, std::uint32_t count) {
   tracePhotons(*stage_, source, first, count, parameters_.maxDepth);
+  selectRecords(*stage_, recordMask(source.kind));
   stats_.photonsPilot += count;
+}
+
+void RenderSession::tracePilots(const PhotonSource& source, std::uint32_t photons, const std::function<void()>& count) {
+  for (std::uint32_t first = 0; first < photons; first += plan_.batch) {
+    tracePilot(source, first, std::min(plan_.batch, photons - first));
+    count();
+  }
+  recorder_->submitAndWait();
+}
+
+EmissionGuide* RenderSession::guideFor(MapKind kind) {
+  std::optional<EmissionGuide>& guide = kind == MapKind::global ? globalGuide_ : causticGuide_;
+  return guide ? &*guide : nullptr;
 }
 
 void RenderSession::trainGuides() {
   if (job_.emission == EmissionChoice::power || plan_.whole.photons == 0) return;
   startPass(0);
   const auto train = [&](std::optional<EmissionGuide>& guide, MapKind kind, const ImportanceMap& importance, int bins) {
-    guide.emplace(*context_, scene_, kind, bins, job_.guideWeight == GuideWeight::potential);
+    guide.emplace(*context_, scene_, kind, bins, job_.guideWeight);
     const std::uint32_t photons = std::min(plan_.batch, plan_.whole.photonsFor(kind));
     tracePilot({kind, &*guide}, 0, photons);
-    selectRecords(*stage_, recordMask(kind));
     if (job_.guideWeight == GuideWeight::deficit)
-      guide->followDeficits(*stage_, importance, parameters_, static_cast<float>(plan_.whole.photonsFor(kind)) / static_cast<float>(photons));
+      guide->followDeficits(*stage_, importance, parameters_,
+                            static_cast<float>(plan_.whole.photonsFor(kind)) / static_cast<float>(photons));
     guide->learn(*stage_, importance, meanImportance());
     recorder_->submitAndWait();
     guide->update();
@@ -42,7 +56,7 @@ void RenderSession::trainGuides() {
 void RenderSession::findEnoughPhotons() {
   if (job_.shooting == PhotonsShot::all || plan_.whole.photons == 0) return;
   startPass(0);
-  const auto find = [&](MapKind kind, const ImportanceMap& importance, const std::optional<EmissionGuide>& guide) {
+  const auto find = [&](MapKind kind, const ImportanceMap& importance) {
     const SiteHits sites(*context_, kind, importance, parameters_);
     ShootingRule rule;
     const float passes = kind == MapKind::global && features_.readsCells ? kPassesInCells : 1;
@@ -51,18 +65,40 @@ void RenderSession::findEnoughPhotons() {
     std::uint32_t shot = 0;
     do {
       const std::uint32_t count = std::min(step, most - shot);
-      tracePilot({kind, guide ? &*guide : nullptr, true}, shot, count);
-      selectRecords(*stage_, recordMask(kind));
+      tracePilot({kind, guideFor(kind), true}, shot, count);
       sites.count(*stage_);
       shot += count;
     } while (shot < most && !rule.isEnough(sites.supply(*stage_, passes)));
     recorder_->submitAndWait();
     return shot;
   };
-  const std::uint32_t global = find(MapKind::global, importance_.global, globalGuide_);
-  if (causticMap_) plan_.whole.causticPhotons = find(MapKind::caustic, importance_.caustic, causticGuide_);
+  const std::uint32_t global = find(MapKind::global, importance_.global);
+  if (causticMap_) plan_.whole.causticPhotons = find(MapKind::caustic, importance_.caustic);
   plan_.whole.photons = global;
   now_ = plan_.whole;
+}
+
+void RenderSession::countCausticHits() {
+  if (!causticMap_ || importance_.caustic.count == 0 || now_.causticPhotons == 0) return;
+  startPass(0);
+  const uint weight = std::max(now_.causticPhotons / plan_.batch, 1u);  // of a share of the photons of a pass
+  gpu::BindingTable table = work_->table;
+  importance_.caustic.bind(table);
+  tracePilots({MapKind::caustic, guideFor(MapKind::caustic), true}, now_.causticPhotons / weight, [&] {
+    overItems(*stage_, kernels_.hitCount, table, kCounterSelected, HitCountPush{false, weight});
+  });
+  done_.causticCounted = now_.causticPhotons;
+}
+
+void RenderSession::expectDensity() {
+  if (control_ != DensityControl::probability) return;
+  startPass(0);
+  const auto count = [&](std::optional<ExpectedDensity>& expected, MapKind kind, const ImportanceMap& importance) {
+    expected.emplace(*context_, kind, plan_.capacityFor(kind));
+    tracePilots({kind, guideFor(kind), true}, now_.photonsFor(kind), [&] { expected->count(*stage_, importance); });
+  };
+  count(globalExpected_, MapKind::global, importance_.global);
+  if (causticMap_) count(causticExpected_, MapKind::caustic, importance_.caustic);
 }
 
 }  // namespace importon

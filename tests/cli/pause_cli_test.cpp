@@ -11,6 +11,7 @@
 namespace importon {
 namespace {
 
+using test::kCornellBox;
 using test::Outcome;
 using test::readFile;
 using test::runImporton;
@@ -18,7 +19,6 @@ using test::TemporaryFolder;
 using test::writeFile;
 
 const std::string kScenes = IMPORTON_SCENES;
-const std::string kCornell = kScenes + "/cornell_box/cornell_box.gltf";
 const std::string kRing = kScenes + "/ring/ring.gltf";  // has caustics
 
 std::vector<std::string> tiny(const std::string& scene, const std::string& output,
@@ -67,7 +67,7 @@ TEST(CliRender, ResumesWithHarderControl) {
   const TemporaryFolder folder;
   const std::string state = folder / "state";
   const auto arguments = [&](const std::string& output, std::initializer_list<std::string> more) {
-    auto words = tiny(kCornell, output, more);
+    auto words = tiny(kCornellBox, output, more);
     words.insert(words.end(), {"--memory", "1", "--control", "off"});
     return words;
   };
@@ -87,22 +87,22 @@ TEST(CliRender, ResumesAfterAnInterrupt) {
                                      isSent = true;
                                      return SIGINT;
                                    }};
-  expectStatus(runImporton(tiny(kCornell, folder / "part.exr", {"--passes", "100000", "--checkpoint", state}), interrupt),
+  expectStatus(runImporton(tiny(kCornellBox, folder / "part.exr", {"--passes", "100000", "--checkpoint", state}), interrupt),
                130);
   const int done = std::stoi(readExr(folder / "part.exr").attributes.at("importon:passes"));
   const std::string all = std::to_string(done + 2);
-  expectStatus(runImporton(tiny(kCornell, folder / "whole.exr", {"--passes", all})), 0);
-  expectStatus(runImporton(tiny(kCornell, folder / "o.exr", {"--passes", all, "--resume", state})), 0);
+  expectStatus(runImporton(tiny(kCornellBox, folder / "whole.exr", {"--passes", all})), 0);
+  expectStatus(runImporton(tiny(kCornellBox, folder / "o.exr", {"--passes", all, "--resume", state})), 0);
   EXPECT_EQ(readFile(folder / "o.exr"), readFile(folder / "whole.exr"));
 }
 
 TEST(CliRender, RefusesACheckpointOfAnotherRun) {
   const TemporaryFolder folder;
   const std::string state = folder / "state";
-  expectStatus(runImporton(tiny(kCornell, folder / "a.exr", {"--passes", "1", "--checkpoint", state})), 0);
+  expectStatus(runImporton(tiny(kCornellBox, folder / "a.exr", {"--passes", "1", "--checkpoint", state})), 0);
   for (const std::vector<std::string>& other :
        {std::vector<std::string>{"--seed", "1"}, {"--gather", "2"}}) {
-    auto arguments = tiny(kCornell, folder / "b.exr", {"--passes", "2", "--resume", state});
+    auto arguments = tiny(kCornellBox, folder / "b.exr", {"--passes", "2", "--resume", state});
     arguments.insert(arguments.end(), other.begin(), other.end());
     const Outcome outcome = runImporton(arguments);
     EXPECT_EQ(outcome.status, 2) << other[0];
@@ -115,9 +115,9 @@ TEST(CliRender, RefusesACheckpointOfAnotherRun) {
 TEST(CliRender, RefusesATornCheckpoint) {
   const TemporaryFolder folder;
   const std::string state = folder / "state";
-  expectStatus(runImporton(tiny(kCornell, folder / "a.exr", {"--passes", "1", "--checkpoint", state})), 0);
+  expectStatus(runImporton(tiny(kCornellBox, folder / "a.exr", {"--passes", "1", "--checkpoint", state})), 0);
   writeFile(folder / "torn", readFile(state).substr(0, 10000));
-  const Outcome outcome = runImporton(tiny(kCornell, folder / "b.exr", {"--passes", "2", "--resume", folder / "torn"}));
+  const Outcome outcome = runImporton(tiny(kCornellBox, folder / "b.exr", {"--passes", "2", "--resume", folder / "torn"}));
   EXPECT_EQ(outcome.status, 2);
   EXPECT_EQ(outcome.err.find("importon: error: the checkpoint is torn or damaged ("), 0u) << outcome.err;
 }
@@ -125,7 +125,7 @@ TEST(CliRender, RefusesATornCheckpoint) {
 TEST(CliRender, WritesTheImageThoughTheCheckpointFails) {
   const TemporaryFolder folder;
   const Outcome outcome =
-      runImporton(tiny(kCornell, folder / "a.exr", {"--passes", "1", "--checkpoint", "/dev/full"}));
+      runImporton(tiny(kCornellBox, folder / "a.exr", {"--passes", "1", "--checkpoint", "/dev/full"}));
   EXPECT_EQ(outcome.status, 4);
   EXPECT_NE(outcome.err.find("cannot write"), std::string::npos) << outcome.err;
   EXPECT_EQ(readExr(folder / "a.exr").width, 24);
@@ -133,8 +133,8 @@ TEST(CliRender, WritesTheImageThoughTheCheckpointFails) {
 
 TEST(CliRender, MergesRunsOfDifferentSeeds) {
   const TemporaryFolder folder;
-  expectStatus(runImporton(tiny(kCornell, folder / "a.exr", {"--passes", "3", "--seed", "1"})), 0);
-  expectStatus(runImporton(tiny(kCornell, folder / "b.exr", {"--passes", "1", "--seed", "2"})), 0);
+  expectStatus(runImporton(tiny(kCornellBox, folder / "a.exr", {"--passes", "3", "--seed", "1"})), 0);
+  expectStatus(runImporton(tiny(kCornellBox, folder / "b.exr", {"--passes", "1", "--seed", "2"})), 0);
   expectStatus(runImporton({"merge", folder / "a.exr", folder / "b.exr", "-o", folder / "c.exr"}), 0);
   const Image a = readExr(folder / "a.exr"), b = readExr(folder / "b.exr"), c = readExr(folder / "c.exr");
   EXPECT_EQ(c.attributes.at("importon:seed"), "1 2");

@@ -8,6 +8,9 @@
 
 namespace importon::test {
 
+/// The scene that tests of the command line render when any will do.
+inline const std::string kCornellBox = std::string(IMPORTON_SCENES) + "/cornell_box/cornell_box.gltf";
+
 struct Outcome {
   int status = -1;  // exit status; -1 if a signal ended it
   int signal = 0;   // that signal

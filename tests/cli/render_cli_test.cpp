@@ -13,16 +13,16 @@
 namespace importon {
 namespace {
 
+using test::kCornellBox;
 using test::Outcome;
 using test::readFile;
 using test::runImporton;
 using test::TemporaryFolder;
 
-const std::string kScene = std::string(IMPORTON_SCENES) + "/cornell_box/cornell_box.gltf";
 const std::vector<std::string> kSmall{"--width", "32", "--height", "24"};
 
 std::vector<std::string> smallRender(const std::string& output, std::initializer_list<std::string> more) {
-  std::vector<std::string> arguments{kScene, "-o", output};
+  std::vector<std::string> arguments{kCornellBox, "-o", output};
   arguments.insert(arguments.end(), kSmall.begin(), kSmall.end());
   arguments.insert(arguments.end(), more);
   return arguments;
@@ -50,7 +50,7 @@ TEST(CliRender, SmokeTakesAnEnvironmentMap) {
   const Outcome outcome =
       runImporton(smallRender(folder / "o.exr", {"--passes", "1", "--environment", folder / "sky.exr"}));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const Outcome info = runImporton({"info", kScene, "--environment", folder / "sky.exr"});
+  const Outcome info = runImporton({"info", kCornellBox, "--environment", folder / "sky.exr"});
   EXPECT_NE(info.out.find("1 environment"), std::string::npos) << info.out;
   const Outcome missing =
       runImporton(smallRender(folder / "o.exr", {"--passes", "1", "--environment", folder / "no.exr"}));
@@ -121,7 +121,7 @@ TEST(CliRender, RefusesAReferenceOfAnotherSize) {
   const TemporaryFolder folder;
   ASSERT_EQ(runImporton(smallRender(folder / "r.exr", {"--passes", "1"})).status, 0);
   const Outcome outcome =
-      runImporton({kScene, "-o", folder / "o.exr", "--width", "16", "--height", "12", "--reference", folder / "r.exr"});
+      runImporton({kCornellBox, "-o", folder / "o.exr", "--width", "16", "--height", "12", "--reference", folder / "r.exr"});
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.err.find("32 x 24"), std::string::npos) << outcome.err;
   EXPECT_EQ(folder.entries(), 1);
@@ -130,7 +130,7 @@ TEST(CliRender, RefusesAReferenceOfAnotherSize) {
 TEST(CliRender, ConvergesAndWritesThePage) {
   const TemporaryFolder folder;
   ASSERT_EQ(runImporton(smallRender(folder / "r.exr", {"--passes", "2", "--seed", "9"})).status, 0);
-  const Outcome outcome = runImporton({"converge", kScene, "--reference", folder / "r.exr", "-o", folder / "out",
+  const Outcome outcome = runImporton({"converge", kCornellBox, "--reference", folder / "r.exr", "-o", folder / "out",
                                        "--configs", "uncontrolled", "--times", "8", "--seeds", "1", "--width", "32",
                                        "--height", "24", "--photons", "4096"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;

@@ -10,12 +10,12 @@
 namespace importon {
 namespace {
 
+using test::kCornellBox;
 using test::Outcome;
 using test::runImporton;
 using test::TemporaryFolder;
 using test::writeFile;
 
-const std::string kScene = std::string(IMPORTON_SCENES) + "/cornell_box/cornell_box.gltf";
 const std::map<std::string, std::string> kNoDriver{{"VK_DRIVER_FILES", "/nowhere.json"},
                                                    {"VK_ICD_FILENAMES", "/nowhere.json"}};
 
@@ -32,15 +32,15 @@ void expectError(const Outcome& outcome, int status, const std::string& part) {
 TEST(Cli, NoArgumentsIsAUsageError) { expectError(runImporton({}), 1, "see importon --help"); }
 
 TEST(Cli, AnUnknownOptionIsAUsageError) {
-  expectError(runImporton({"render", kScene, "-o", "o.exr", "--frobnicate"}), 1, "--frobnicate");
+  expectError(runImporton({"render", kCornellBox, "-o", "o.exr", "--frobnicate"}), 1, "--frobnicate");
   expectError(runImporton({"--frobnicate"}), 1, "importon render --help");
 }
 
 TEST(Cli, ABadValueIsAUsageError) {
-  expectError(runImporton({kScene, "-o", "o.exr", "--width", "0"}), 1, "--width");
-  expectError(runImporton({kScene, "-o", "o.exr", "--time", "soon"}), 1, "--time");
-  expectError(runImporton({kScene, "-o", "o.exr", "--aov", "beauty"}), 1, "choose among albedo");
-  expectError(runImporton({kScene, "-o", "o.exr", "--control", "maybe"}), 1, "off");
+  expectError(runImporton({kCornellBox, "-o", "o.exr", "--width", "0"}), 1, "--width");
+  expectError(runImporton({kCornellBox, "-o", "o.exr", "--time", "soon"}), 1, "--time");
+  expectError(runImporton({kCornellBox, "-o", "o.exr", "--aov", "beauty"}), 1, "choose among albedo");
+  expectError(runImporton({kCornellBox, "-o", "o.exr", "--control", "maybe"}), 1, "off");
 }
 
 TEST(Cli, HelpAndVersionGoToStdout) {
@@ -83,7 +83,7 @@ TEST(Cli, NoVulkanDeviceIsADeviceErrorAndLeavesNothing) {
   const TemporaryFolder folder;
   expectError(runImporton({"devices"}, {.environment = kNoDriver}), 3, "driver");
   expectError(
-      runImporton({kScene, "-o", folder / "o.exr", "--png", folder / "o.png", "--stats", folder / "o.json"},
+      runImporton({kCornellBox, "-o", folder / "o.exr", "--png", folder / "o.png", "--stats", folder / "o.json"},
                   {.environment = kNoDriver}),
       3, "driver");
   EXPECT_EQ(folder.entries(), 0);
@@ -97,8 +97,8 @@ TEST(Cli, AFullDiskBehindStdoutIsAnOutputError) {
 TEST(Cli, FilesOutsideTheScenesFolderNeedAFlag) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "scene");
-  auto scene = nlohmann::json::parse(test::readFile(kScene));
-  scene["buffers"][0]["uri"] = (std::filesystem::path(kScene).parent_path() / scene["buffers"][0]["uri"].get<std::string>()).string();
+  auto scene = nlohmann::json::parse(test::readFile(kCornellBox));
+  scene["buffers"][0]["uri"] = (std::filesystem::path(kCornellBox).parent_path() / scene["buffers"][0]["uri"].get<std::string>()).string();
   writeFile(folder / "scene/scene.gltf", scene.dump());
   expectError(runImporton({"info", folder / "scene/scene.gltf"}), 2, "--allow-outside-files");
   const Outcome outcome = runImporton({"info", folder / "scene/scene.gltf", "--allow-outside-files"});
@@ -106,10 +106,10 @@ TEST(Cli, FilesOutsideTheScenesFolderNeedAFlag) {
 }
 
 TEST(Cli, InfoNeedsNoDevice) {
-  const Outcome text = runImporton({"info", kScene}, {.environment = kNoDriver});
+  const Outcome text = runImporton({"info", kCornellBox}, {.environment = kNoDriver});
   EXPECT_EQ(text.status, 0) << text.err;
   EXPECT_NE(text.out.find("triangles  36"), std::string::npos) << text.out;
-  const Outcome json = runImporton({"info", kScene, "--json"}, {.environment = kNoDriver});
+  const Outcome json = runImporton({"info", kCornellBox, "--json"}, {.environment = kNoDriver});
   EXPECT_EQ(json.status, 0) << json.err;
   EXPECT_EQ(nlohmann::json::parse(json.out)["triangles"], 36);
 }

@@ -10,17 +10,17 @@
 namespace importon {
 namespace {
 
+using test::kCornellBox;
 using test::Outcome;
 using test::runImporton;
 using test::TemporaryFolder;
 
-const std::string kScene = std::string(IMPORTON_SCENES) + "/cornell_box/cornell_box.gltf";
 
 class DeviceFaults : public testing::Test {
  protected:
   /// Renders a small image of two passes on a device with this fault: see fault_layer.cpp.
   [[nodiscard]] Outcome renderWith(const std::string& fault) const {
-    return runImporton({kScene, "-o", folder_ / "o.exr", "--stats", folder_ / "o.json", "--width", "32", "--height", "24",
+    return runImporton({kCornellBox, "-o", folder_ / "o.exr", "--stats", folder_ / "o.json", "--width", "32", "--height", "24",
                         "--photons", "4096", "--importons", "2048", "--passes", "2"},
                        {.environment = {{"VK_INSTANCE_LAYERS", "VK_LAYER_IMPORTON_fault"},
                                         {"VK_LAYER_PATH", IMPORTON_FAULT_LAYER},

@@ -11,14 +11,14 @@
 namespace importon {
 namespace {
 
+using test::kCornellBox;
 using test::Outcome;
 using test::runImporton;
 using test::TemporaryFolder;
 
-const std::string kScene = std::string(IMPORTON_SCENES) + "/cornell_box/cornell_box.gltf";
 
 std::vector<std::string> smallRender(const std::string& output, std::initializer_list<std::string> more) {
-  std::vector<std::string> arguments{kScene,      "-o",   output,        "--width", "64",       "--height", "48",
+  std::vector<std::string> arguments{kCornellBox,      "-o",   output,        "--width", "64",       "--height", "48",
                                      "--photons", "4096", "--importons", "2048"};
   arguments.insert(arguments.end(), more);
   return arguments;

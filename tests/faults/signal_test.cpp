@@ -13,16 +13,16 @@
 namespace importon {
 namespace {
 
+using test::kCornellBox;
 using test::Outcome;
 using test::TemporaryFolder;
 
-const std::string kScene = std::string(IMPORTON_SCENES) + "/cornell_box/cornell_box.gltf";
 
 /// Renders without end; sends `signal` after `delay`.
 Outcome interruptedAfter(std::chrono::milliseconds delay, int signal, const TemporaryFolder& folder) {
   test::RunOptions options;
   options.delayedSignal = {signal, delay};
-  return test::runImporton({kScene, "-o", folder / "o.exr", "--png", folder / "o.png", "--width", "32", "--height", "24",
+  return test::runImporton({kCornellBox, "-o", folder / "o.exr", "--png", folder / "o.png", "--width", "32", "--height", "24",
                             "--photons", "4096", "--importons", "2048", "--passes", "1000000"},
                            options);
 }

@@ -36,7 +36,7 @@ ImportonsFound MapRig::importons(MapKind kind) const {
 }
 
 EmissionGuide MapRig::teachGuide(const Scene& scene, MapKind kind, int bins) {
-  EmissionGuide guide(context_, scene, kind, bins, false);
+  EmissionGuide guide(context_, scene, kind, bins, GuideWeight::importance);
   const ImportanceMap& map = kind == MapKind::caustic ? importance.caustic : importance.global;
   const double pixels = static_cast<double>(parameters.width) * static_cast<double>(parameters.height);
   work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
@@ -70,7 +70,9 @@ ExpectedDensity MapRig::countPilot(MapKind kind) {
   work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
   recorder_->fill(work_->counters, 0);
   for (std::uint32_t first = 0; first < plan.whole.photonsFor(kind); first += plan.batch) {
-    tracePhotons(*stage_, {kind, nullptr, true}, first, std::min(plan.batch, plan.whole.photonsFor(kind) - first), parameters.maxDepth);
+    tracePhotons(*stage_, {kind, nullptr, true}, first, std::min(plan.batch, plan.whole.photonsFor(kind) - first),
+                 parameters.maxDepth);
+    selectRecords(*stage_, recordMask(kind));
     expected.count(*stage_, kind == MapKind::caustic ? importance.caustic : importance.global);
   }
   recorder_->submitAndWait();

@@ -17,7 +17,7 @@ TEST(GuideShares, FollowTheRootOfWhatWasLearnedAndAreNeverZero) {
   const int bins = 8;
   std::vector<double> moments(2 * 64);
   moments[64 + 27] = 100;  // all from one direction of the second light
-  const GuideShares shares = shareOut(moments, {0.999999, 1e-6}, bins);
+  const GuideShares shares = shareOut(moments, {0.999999, 1e-6}, bins, GuideWeight::importance);
   EXPECT_NEAR(std::accumulate(shares.cells.begin(), shares.cells.end(), 0.0), 1, 1e-12);
   for (const double share : shares.cells) EXPECT_GE(share, 0.15 * 0.5 / 128);
   EXPECT_EQ(std::max_element(shares.cells.begin(), shares.cells.end()) - shares.cells.begin(), 64 + 27);
@@ -25,7 +25,7 @@ TEST(GuideShares, FollowTheRootOfWhatWasLearnedAndAreNeverZero) {
 }
 
 TEST(GuideShares, OfNothingLearnedAreNearlyByPower) {
-  const GuideShares shares = shareOut(std::vector<double>(32), {0.75, 0.25}, 4);
+  const GuideShares shares = shareOut(std::vector<double>(32), {0.75, 0.25}, 4, GuideWeight::importance);
   const auto expected = [](double power) { return 0.85 * power + 0.15 * 0.5 * (power + 1.0 / 32); };
   EXPECT_NEAR(shares.cells.front(), expected(0.75 / 16), 1e-15);
   EXPECT_NEAR(shares.cells.back(), expected(0.25 / 16), 1e-15);
@@ -36,13 +36,13 @@ TEST(GuideShares, OfPotentialFollowWhatWasLearnedItself) {
   std::vector<double> moments(2 * 64);
   moments[27] = 1;
   moments[64 + 27] = 9;
-  const auto ratio = [&](bool isPotential) {
-    const GuideShares shares = shareOut(moments, {0.5, 0.5}, 8, isPotential);
+  const auto ratio = [&](GuideWeight weight) {
+    const GuideShares shares = shareOut(moments, {0.5, 0.5}, 8, weight);
     const double plain = shares.cells[0];
     return (shares.cells[64 + 27] - plain) / (shares.cells[27] - plain);
   };
-  EXPECT_NEAR(ratio(false), 3, 1e-9);
-  EXPECT_NEAR(ratio(true), 9, 1e-9);
+  EXPECT_NEAR(ratio(GuideWeight::importance), 3, 1e-9);
+  EXPECT_NEAR(ratio(GuideWeight::potential), 9, 1e-9);
 }
 
 class Guide : public RenderTest {};

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "hard_scenes.h"
 #include "render_helper.h"
 
 namespace importon::test {
@@ -22,17 +23,9 @@ double areaOf(const Scene& scene, std::size_t first, std::size_t count) {
   return area;
 }
 
-/// Two closed spheres; in the camera's one a light 1e8 times weaker than in the other one.
 TEST_F(HardLights, SlowWeakLightGetsPhotonsBesideAStrongHiddenOne) {
   const StabilityCase listed(45, "photons of a light 1e-8 as strong as a hidden one", "E = power / (4 pi R² (1 - albedo))");
-  SceneBuilder builder;
-  const uint walls = builder.material(diffuse(vec3(0.5f)));
-  builder.icosphere(walls, {0, 0, 0}, 1, 3, Facing::inside, Shading::flat);
-  builder.icosphere(walls, {3, 0, 0}, 1, 3, Facing::inside, Shading::flat);
-  builder.pointLight({0, 0, 0}, vec3(1.0f));
-  builder.pointLight({3, 0, 0}, vec3(1e8f));
-  builder.camera({0.1, 0.2, 0.5}, {0, 0, -1}, 1.0, kSize, kSize);
-  const Scene scene = builder.finish();
+  const Scene scene = sphereBesideStrongLight(kSize);
   const double expected = 0.5 / kPi * 4 * kPi / (areaOf(scene, 0, scene.triangles.size() / 2) * 0.5);
   for (const EmissionChoice emission : {EmissionChoice::power, EmissionChoice::guided}) {
     RenderJob job = makeJob(Integrator::photon, 2);

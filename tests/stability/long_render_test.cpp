@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "render/render_session.h"
+#include "hard_scenes.h"
 #include "render_helper.h"
 
 namespace importon::test {
@@ -124,14 +125,7 @@ TEST_F(LongRenders, RandomNumbersDoNotComeAgain) {
 /// A photon of the weak light is less than a hundredth of a unit of the cells' power by then.
 TEST_F(LongRenders, SlowCellsKeepTheWeakestLight) {
   const StabilityCase listed(55, "light 1e-8 as strong as a hidden one, after 2^18 passes", "the same mean as at the start");
-  SceneBuilder builder;
-  const uint walls = builder.material(diffuse(vec3(0.5f)));
-  builder.icosphere(walls, {0, 0, 0}, 1, 3, Facing::inside, Shading::flat);
-  builder.icosphere(walls, {3, 0, 0}, 1, 3, Facing::inside, Shading::flat);
-  builder.pointLight({0, 0, 0}, vec3(1.0f));
-  builder.pointLight({3, 0, 0}, vec3(1e8f));
-  builder.camera({0.1, 0.2, 0.5}, {0, 0, -1}, 1.0, kSize, kSize);
-  const Scene scene = builder.finish();
+  const Scene scene = sphereBesideStrongLight(kSize);
   RenderJob job = makeJob(Integrator::photon, 2);
   Moments early, late;
   for (job.seed = 1; job.seed <= 4; ++job.seed) {
