@@ -10,14 +10,6 @@
 layout(scalar, binding = kBindingGuideSums) buffer SumsBlock { uint sums[]; };
 layout(push_constant, scalar) uniform PushBlock { GuideLearnPush push; };
 
-/// What hits counted at other times leave missing at a site, of 1; never nothing, for counts err.
-const float kLeastDeficit = 0.05;
-
-float deficitAt(MapSettings map, uint site) {
-  const float hits = float(texelFetch(importonHits, int(site)).x) * push.hitsPerPass;
-  return max(1.0 - hits / hitsAskedAt(map, site), kLeastDeficit);
-}
-
 void main() {
   const uint i = invocationIndex();
   if (i >= counters[kCounterSelected]) return;
@@ -31,7 +23,7 @@ void main() {
   const vec2 u = sequencePoint(photonStream(push.stream, map, photon), photonIndex(map, photon), kPairDirection);
   const GuidedPoint p = sampleGuide(u, params.lightCount, push.bins);
   const float flux = mean(records[at].flux) * p.density * float(map.photonsPerPass) / params.totalPower;
-  float share = importance / (importance + push.meanImportance);
-  if (push.hitsPerPass > 0.0 && site != kNone) share *= deficitAt(map, site);
+  float share = weightOfPlace(importance, push.meanImportance, push.isPotential != 0u);
+  if (push.hitsPerPass > 0.0 && site != kNone) share *= deficitAt(map, site, push.hitsPerPass);
   atomicAdd(sums[p.cell], uint(min(share * flux * flux / p.density, 256.0) * kGuideUnits));
 }

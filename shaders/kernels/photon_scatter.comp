@@ -6,14 +6,15 @@
 #include "bindings/paths.glsl"
 #include "bindings/records.glsl"
 #include "bindings/irradiance.glsl"
-#include "lib/light_voxel.glsl"
+#include "bindings/lights_seen.glsl"
+#include "bindings/scatter_guide.glsl"
 #include "lib/map_point.glsl"
 #include "lib/path.glsl"
 #include "lib/photon_stream.glsl"
 
+layout(constant_id = kSpecScatterIsGuided) const bool kScatterIsGuided = false;
 layout(constant_id = kSpecPhotonKind) const uint kPhotonKind = kPhotonsGlobal;
 layout(scalar, binding = kBindingRecordCells) writeonly buffer RecordCellsBlock { uvec2 recordCells[]; };
-layout(scalar, binding = kBindingLightsSeenOut) buffer LightsSeenBlock { uint lightsSeenOut[]; };
 layout(push_constant, scalar) uniform PushBlock { PhotonScatterPush push; };
 
 MapSettings mapOfPhotons() {
@@ -28,13 +29,6 @@ void writeRecord(uint at, Surface s, bool isGlossy, vec3 direction, PathState pa
   recordPoints[at] = MapPoint(s.position, packMapPoint(-direction, s.geometricNormal, 0u));
   records[at] = Record(path.throughput, (isCaustic ? kRecordCaustic : kRecordGlobal) |
                                             (isGlossy ? kRecordGlossy : 0u) | rank << kRecordRankShift);
-}
-
-/// Notes that light comes from `light` to here without a bounce.
-void seeLight(uint light, vec3 position) {
-  if (light >= 64u) return;
-  const uint word = 2u * lightVoxel(position, params.gridOrigin, params.gridExtent) + light / 32u, bit = 1u << (light % 32u);
-  if ((lightsSeenOut[word] & bit) == 0u) atomicOr(lightsSeenOut[word], bit);
 }
 
 /// Notes the cell that the photon fell in, and what of its flux is diffusely reflected light's: flux comes per area of
@@ -54,7 +48,12 @@ bool scatter(Surface s, Bsdf b, mat3 frame, vec3 direction, inout PathState path
   const uint stream = photonStream(push.stream, map, path.id), index = photonIndex(map, path.id);
   const vec2 choice = sequencePoint(stream, index, eventPair(path.flags, kPairLobe));
   const vec3 towardsLight = -direction * frame;
-  const BsdfSample next = sampleBsdf(b, towardsLight, choice.x, sequencePoint(stream, index, eventPair(path.flags, kPairScatter)));
+  const vec2 u = sequencePoint(stream, index, eventPair(path.flags, kPairScatter));
+  float scale = 1.0;
+  BsdfSample next;
+  if (kScatterIsGuided)
+    next = sampleGuidedBsdf(b, towardsLight, scatterGuideAt(push.guide, b, s.position, frame[2]), choice.x, u, scale);
+  else next = sampleBsdf(b, towardsLight, choice.x, u);
   const vec3 wi = frame * next.wi;
   ray = nextRay(s, wi, hash(index ^ hash(path.flags)));
   if (!isConsistent(s, wi, next.isTransmission)) return false;
@@ -67,6 +66,7 @@ bool scatter(Surface s, Bsdf b, mat3 frame, vec3 direction, inout PathState path
   const bool isSpecular = next.isDelta || isFrosted(b);
   if (kPhotonKind == kPhotonsCaustic && !isSpecular) return false;
   path.throughput *= weight / survival;
+  if (kScatterIsGuided) path.throughput *= scale;
   updateMedium(path, s, next.isTransmission);
   path.flags = (path.flags + 1u) | (isSpecular ? kPathSpecular : kPathScattered);
   if (!isSpecular) path.flags &= ~kPathSpecular;
@@ -89,7 +89,7 @@ void main() {
   relateIndex(s, path);
   if ((s.flags & kMaterialUnlit) != 0u) return;
   if (kHasMedia) path.throughput *= mediumTransmittance(path.medium, s, hit.t);
-  const mat3 frame = frameAround(s.shadingNormal);
+  const mat3 frame = kScatterIsGuided ? scatterFrame(s.shadingNormal) : frameAround(s.shadingNormal);
   const float cosIn = dot(-ray.direction, s.shadingNormal);
   Bsdf b = makeBsdf(s, cosIn);
   b.coat.isAdjoint = true;

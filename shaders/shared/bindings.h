@@ -94,5 +94,8 @@ SHARED_CONST uint kBindingIrradianceTexels = 73;  // texel uint4: the same
 SHARED_CONST uint kBindingWeights = 56;        // texel float1: the same
 SHARED_CONST uint kBindingPathLight = 52;      // storage, PathLight[], by slot
 
+SHARED_CONST uint kBindingScatterGuide = 80;    // texel float1: lib/scatter_guide.glsl
+SHARED_CONST uint kBindingScatterSums = 81;     // storage, uint[]: importance that came to each of its bins
+
 SHARED_END
 #endif

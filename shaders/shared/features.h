@@ -32,6 +32,8 @@ SHARED_CONST uint kSpecIsGuided = 17u;         // emission follows a guide
 SHARED_CONST uint kSpecPhotonKind = 18u;       // kPhotonsGlobal, kPhotonsCaustic
 SHARED_CONST uint kSpecImportanceBound = 20u;  // kBound*
 
+SHARED_CONST uint kSpecScatterIsGuided = 45u;  // photons scatter by a guide too
+
 SHARED_CONST uint kBoundNone = 0u;    // required density follows the importance map
 SHARED_CONST uint kBoundPixel = 1u;   // the largest density that a footprint nearby asks for
 SHARED_CONST uint kBoundScreen = 2u;  // the sum of what they ask for

@@ -2,6 +2,7 @@
 #ifndef IMPORTON_SHARED_PUSH_DATA_H
 #define IMPORTON_SHARED_PUSH_DATA_H
 #include "glsl_compat.h"
+#include "render_data.h"
 
 SHARED_BEGIN
 
@@ -61,6 +62,7 @@ struct GuideLearnPush {
   uint bins;
   float meanImportance;  // pixels/m²
   float hitsPerPass;     // for each hit that was counted at a site; 0: deficits do not matter
+  uint isPotential;      // places count in proportion to their importance
 };
 
 /// kernels/hit_count.comp
@@ -201,6 +203,7 @@ struct PhotonRedistributePush {
 struct PhotonScatterPush {
   uint source;
   uint stream;
+  ScatterGrid guide;
 };
 
 /// kernels/photon_store.comp
@@ -234,6 +237,11 @@ struct ScanPush {
   uint accumulate;  // counter that receives `source` on top of its value; kNone: none
 };
 
+/// kernels/scatter_learn.comp
+struct ScatterLearnPush {
+  ScatterGrid guide;
+};
+
 /// kernels/set_counter.comp
 struct SetCounterPush {
   uint counter;
@@ -247,6 +255,16 @@ struct SetCounterPush {
 struct SiteAskPush {
   uint count;
   uint isGlobal;
+};
+
+/// kernels/site_emit.comp
+struct SiteEmitPush {
+  uint first;
+  uint count;
+  uint sites;
+  float meanImportance;  // pixels/m²
+  float hitsPerPass;     // for each hit that was counted at a site; 0: deficits do not matter
+  uint isPotential;      // places count in proportion to their importance
 };
 
 /// kernels/sort_count.comp

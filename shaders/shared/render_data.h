@@ -179,6 +179,16 @@ SHARED_CONST uint kRecordRankShift = 3u;  // above: a rank by path, then bounce,
 /// Fixed-point units of what a guide learns.
 SHARED_CONST float kGuideUnits = 1024.0f;
 
+/// Cells of a guide for scattering: voxels of the scene's box, six to a voxel, by where the surface faces. Each has
+/// kScatterBins x kScatterBins bins of directions.
+struct ScatterGrid {
+  vec3 origin;    // m, render space
+  float perMetre;  // voxels
+  uvec3 voxels;
+};
+SHARED_CONST uint kScatterBins = 8u;
+SHARED_CONST uint kScatterFacings = 6u;
+
 // How the quota decides, and by what a rejected hit's power is shared out.
 SHARED_CONST uint kAcceptStep = 0u;    // while the density is below the required one
 SHARED_CONST uint kAcceptCosine = 1u;  // with a probability that falls as a cosine from 1 to 0 there
@@ -215,6 +225,7 @@ SHARED_CONST uint kRadixBits = 6u;
 // Purposes of random streams, mixed with the seed.
 SHARED_CONST uint kStreamPixels = 2u;
 SHARED_CONST uint kStreamImportons = 3u;
+SHARED_CONST uint kStreamSites = 6u;  // importance that leaves sites
 SHARED_CONST uint kStreamCausticPhotons = 0x100u;  // plus the state of the guide
 SHARED_CONST uint kStreamGlobalPhotons = 0x200u;
 SHARED_CONST uint kStreamPilot = 0x1000u;  // added to those of photons whose hits are only counted

@@ -177,6 +177,11 @@ void addDensityOptions(CLI::App& app, RenderJob& job) {
                             {{"power", EmissionChoice::power}, {"guided", EmissionChoice::guided}}, job.emission,
                             "photons by the lights' power, or guided to what matters\n(default: guided where it pays)")
       ->group(group);
+  addChoice<ScatterChoice>(app, "--scatter",
+                           {{"material", ScatterChoice::material}, {"guided", ScatterChoice::guided}}, job.scatter,
+                           "photons of the global map scatter by the material alone, or by a\nmixture with what importance "
+                           "asks for (default: material)")
+      ->group(group);
   addChoice<GuideWeight>(app, "--guide-by",
                          {{"importance", GuideWeight::importance},
                           {"deficit", GuideWeight::deficit},

@@ -27,8 +27,20 @@ uint chooseBins(std::size_t lights, int most) {
   return static_cast<uint>(bins);
 }
 
-/// Each cell with its neighbours in the same light: half from itself, half from the eight around.
-std::vector<double> smooth(const std::vector<double>& moments, std::size_t lights, int bins) {
+/// Shares summed up from 0; the last is 1.
+void sumUp(std::span<const double> shares, double total, std::vector<float>& out) {
+  double sum = 0;
+  out.push_back(0);
+  for (const double share : shares) {
+    sum += share;
+    out.push_back(static_cast<float>(std::min(sum / total, 1.0)));
+  }
+  out.back() = 1;
+}
+
+}  // namespace
+
+std::vector<double> smoothBins(const std::vector<double>& moments, std::size_t lights, int bins) {
   std::vector<double> out(moments.size());
   const std::size_t perLight = static_cast<std::size_t>(bins) * static_cast<std::size_t>(bins);
   for (std::size_t light = 0; light < lights; ++light) {
@@ -45,23 +57,10 @@ std::vector<double> smooth(const std::vector<double>& moments, std::size_t light
   return out;
 }
 
-/// Shares summed up from 0; the last is 1.
-void sumUp(std::span<const double> shares, double total, std::vector<float>& out) {
-  double sum = 0;
-  out.push_back(0);
-  for (const double share : shares) {
-    sum += share;
-    out.push_back(static_cast<float>(std::min(sum / total, 1.0)));
-  }
-  out.back() = 1;
-}
-
-}  // namespace
-
 GuideShares shareOut(const std::vector<double>& moments, const std::vector<double>& powers, int bins,
                      GuideWeight guideWeight) {
   const std::size_t perLight = moments.size() / powers.size();
-  const std::vector<double> smoothed = smooth(moments, powers.size(), bins);
+  const std::vector<double> smoothed = smoothBins(moments, powers.size(), bins);
   double total = 0;
   const auto weight = [&](double moment) { return guideWeight == GuideWeight::potential ? moment : std::sqrt(moment); };
   for (const double moment : smoothed) total += weight(moment);
@@ -111,7 +110,8 @@ void EmissionGuide::learn(const Stage& stage, const ImportanceMap& importance, f
   bind(table);
   table.set(kBindingGuideSums, sums_);
   overItems(stage, stage.kernels.guideLearn, table, kCounterSelected,
-            GuideLearnPush{kind_ == MapKind::global, stream_, bins_, meanImportance, hitsPerPass_});
+            GuideLearnPush{kind_ == MapKind::global, stream_, bins_, meanImportance, hitsPerPass_,
+                           weight_ == GuideWeight::potential});
 }
 
 void EmissionGuide::update() {

@@ -24,6 +24,9 @@ struct GuideShares {
 [[nodiscard]] GuideShares shareOut(const std::vector<double>& moments, const std::vector<double>& powers, int bins,
                                    GuideWeight weight);
 
+/// Each of bins x bins cells with its neighbours in the same group: half from itself, half from the eight around.
+[[nodiscard]] std::vector<double> smoothBins(const std::vector<double>& moments, std::size_t groups, int bins);
+
 class EmissionGuide {
  public:
   /// With up to `bins` x `bins` cells per light; fewer for many lights. It starts with shares by power.

@@ -45,6 +45,13 @@ std::vector<Entry> listDifferentials(KernelSet& k, const RenderJob& job) {
           {&k.importonBound, "importance bound", "importon_bound", {{kSpecImportanceBound, boundOf(job)}}}};
 }
 
+std::vector<Entry> listScatterGuide(KernelSet& k) {
+  return {{&k.photonScatterGuided, "scatter guided photon", "photon_scatter",
+           {{kSpecPhotonKind, kPhotonsGlobal}, {kSpecScatterIsGuided, 1}}},
+          {&k.siteEmit, "importance leaves sites", "site_emit", {}},
+          {&k.scatterLearn, "learn scattering", "scatter_learn", {}}};
+}
+
 std::vector<Entry> listMaps(KernelSet& k, const RenderJob& job) {
   return {{&k.sortCount, "sort count", "sort_count", {}},
           {&k.sortScatter, "sort scatter", "sort_scatter", {}},
@@ -103,6 +110,8 @@ KernelSet makeKernels(gpu::Context& context, const FeatureSet& features, const R
     for (Entry& entry : listMaps(set, job)) entries.push_back(std::move(entry));
     if (job.importance == ImportanceChoice::differentials)
       for (Entry& entry : listDifferentials(set, job)) entries.push_back(std::move(entry));
+    if (job.scatter == ScatterChoice::guided)
+      for (Entry& entry : listScatterGuide(set)) entries.push_back(std::move(entry));
   }
   std::vector<gpu::Specialization> common = specializations(features);
   common.push_back({kSpecTraceInvocations, context.limits().isCpu ? kTraceInvocationsOnCpu : kTraceInvocationsOnGpu});

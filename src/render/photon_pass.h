@@ -1,6 +1,7 @@
 /// Photons from the lights, in batches.
 #pragma once
 #include "render/emission_guide.h"
+#include "render/scatter_guide.h"
 
 namespace importon {
 
@@ -9,10 +10,15 @@ struct PhotonSource {
   MapKind kind = MapKind::global;
   const EmissionGuide* guide = nullptr;  // null: emission by power
   bool isPilot = false;                  // with random numbers that no photon of a map has
+  const ScatterGuide* scatter = nullptr;  // null: by the material alone; else of the global map
 };
 
 /// Emits and traces photons `first` .. `first + count` of the pass; their hits are left in the workspace's records.
 void tracePhotons(const Stage& stage, const PhotonSource& source, std::uint32_t first, std::uint32_t count,
                   uint maxDepth);
+
+/// Traces importance from the sites of the global map as if it were photons; what it meets is left in the records, and
+/// teaches `guide`.
+void teachScatter(const Stage& stage, const ImportanceMap& importance, ScatterGuide& guide, const ScatterLesson& lesson);
 
 }  // namespace importon

@@ -19,6 +19,7 @@ enum class PowerShares { count, distance, direction };  // kShare*
 enum class MapLookup { radius, nearest };
 enum class IrradianceCache { off, photons, importons };  // where irradiance of the global map is precomputed
 enum class EmissionChoice { automatic, power, guided };
+enum class ScatterChoice { material, guided };  // by what photons scatter: the material alone, or a guide too
 enum class GuideWeight { importance, deficit, potential };  // what guided emission follows
 enum class PhotonsShot { all, enough };          // of a pass: all that it may have, or what important places require
 
@@ -43,6 +44,7 @@ struct RenderJob {
   DifferentialBound differentialBound = DifferentialBound::screen;
   GatherSource gatherFrom = GatherSource::automatic;  // cells, where the rest is as by default
   EmissionChoice emission = EmissionChoice::automatic;
+  ScatterChoice scatter = ScatterChoice::material;
   GuideWeight guideWeight = GuideWeight::importance;
   PhotonsShot shooting = PhotonsShot::all;
   std::optional<std::uint32_t> photonBatch;  // photons traced at once

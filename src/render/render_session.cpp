@@ -188,7 +188,7 @@ void RenderSession::shootFor(MapKind kind, bool isFirst) {
   if (map) map->begin(*stage_);
   const std::uint32_t photons = now_.photonsFor(kind);
   for (std::uint32_t first = 0; first < photons; first += plan_.batch) {
-    tracePhotons(*stage_, {kind, guide}, first, std::min(plan_.batch, photons - first), parameters_.maxDepth);
+    tracePhotons(*stage_, sourceOf(kind, false), first, std::min(plan_.batch, photons - first), parameters_.maxDepth);
     if (fillsCells) irradiance_->addBatch(*stage_);
     if (map) map->addBatch(*stage_, importance, storageRule(kind));
     else if (isLearning) selectRecords(*stage_, recordMask(kind));

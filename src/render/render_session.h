@@ -85,6 +85,9 @@ class RenderSession {
   /// Fills what holds the pass's photons of a kind, batch by batch, and teaches their guide. `isFirst`: not yet done in
   /// this pass, with a map that was too small.
   void shootFor(MapKind kind, bool isFirst);
+  /// Traces importance from where the image reads the global map, which teaches photons which way to scatter.
+  void trainScatter();
+  [[nodiscard]] PhotonSource sourceOf(MapKind kind, bool isPilot);
   /// Shoots photons whose only use is to teach the guides, and drops those that do not pay.
   void trainGuides();
   /// Shoots photons whose hits are only counted until the places that matter have what they require: as many are a
@@ -138,6 +141,7 @@ class RenderSession {
   DensityControl control_;
   double surfaceArea_ = 0;  // m²
   std::optional<EmissionGuide> causticGuide_, globalGuide_;
+  std::optional<ScatterGuide> scatterGuide_;  // of photons for the global map
   static constexpr int kLearningPasses = 4;
 };
 

@@ -11,6 +11,7 @@ constexpr int kCausticBins = 128, kGlobalBins = 16;  // of a guide, along both a
 constexpr double kLeastGain = 1.5;                   // learned, from which on global photons are guided
 constexpr std::uint32_t kEnoughSteps = 32;           // into which a pass's photons are cut to see when it is enough
 constexpr std::uint32_t kFewestInStep = 512;
+constexpr std::uint32_t kScatterImportons = 1u << 17;  // that teach which way to scatter
 constexpr float kPassesInCells = 4;                  // in each half of the surface cells before they are cut anew
 
 }  // namespace
@@ -34,13 +35,40 @@ EmissionGuide* RenderSession::guideFor(MapKind kind) {
   return guide ? &*guide : nullptr;
 }
 
+PhotonSource RenderSession::sourceOf(MapKind kind, bool isPilot) {
+  return {kind, guideFor(kind), isPilot, kind == MapKind::global && scatterGuide_ ? &*scatterGuide_ : nullptr};
+}
+
+void RenderSession::trainScatter() {
+  if (job_.scatter == ScatterChoice::material || plan_.whole.photons == 0 || importance_.global.count == 0) return;
+  startPass(0);
+  ScatterLesson lesson{0, 0, meanImportance(), parameters_.maxDepth};
+  std::optional<SiteHits> sites;
+  if (job_.guideWeight == GuideWeight::deficit) {
+    const std::uint32_t photons = std::min(plan_.batch, plan_.whole.photons);
+    tracePilot({MapKind::global, nullptr, true}, 0, photons);
+    sites.emplace(*context_, MapKind::global, importance_.global, parameters_);
+    sites->count(*stage_);
+    lesson.sites = &*sites;
+    lesson.hitsPerPass = static_cast<float>(plan_.whole.photons) / static_cast<float>(photons);
+  }
+  scatterGuide_.emplace(*context_, parameters_, job_.guideWeight);
+  for (; lesson.first < kScatterImportons; lesson.first += lesson.count) {
+    lesson.count = std::min(plan_.batch, kScatterImportons - lesson.first);
+    teachScatter(*stage_, importance_.global, *scatterGuide_, lesson);
+  }
+  recorder_->submitAndWait();
+  scatterGuide_->update();
+}
+
 void RenderSession::trainGuides() {
+  trainScatter();
   if (job_.emission == EmissionChoice::power || plan_.whole.photons == 0) return;
   startPass(0);
   const auto train = [&](std::optional<EmissionGuide>& guide, MapKind kind, const ImportanceMap& importance, int bins) {
     guide.emplace(*context_, scene_, kind, bins, job_.guideWeight);
     const std::uint32_t photons = std::min(plan_.batch, plan_.whole.photonsFor(kind));
-    tracePilot({kind, &*guide}, 0, photons);
+    tracePilot(sourceOf(kind, false), 0, photons);
     if (job_.guideWeight == GuideWeight::deficit)
       guide->followDeficits(*stage_, importance, parameters_,
                             static_cast<float>(plan_.whole.photonsFor(kind)) / static_cast<float>(photons));
@@ -65,7 +93,7 @@ void RenderSession::findEnoughPhotons() {
     std::uint32_t shot = 0;
     do {
       const std::uint32_t count = std::min(step, most - shot);
-      tracePilot({kind, guideFor(kind), true}, shot, count);
+      tracePilot(sourceOf(kind, true), shot, count);
       sites.count(*stage_);
       shot += count;
     } while (shot < most && !rule.isEnough(sites.supply(*stage_, passes)));
@@ -84,7 +112,7 @@ void RenderSession::countCausticHits() {
   const uint weight = std::max(now_.causticPhotons / plan_.batch, 1u);  // of a share of the photons of a pass
   gpu::BindingTable table = work_->table;
   importance_.caustic.bind(table);
-  tracePilots({MapKind::caustic, guideFor(MapKind::caustic), true}, now_.causticPhotons / weight, [&] {
+  tracePilots(sourceOf(MapKind::caustic, true), now_.causticPhotons / weight, [&] {
     overItems(*stage_, kernels_.hitCount, table, kCounterSelected, HitCountPush{false, weight});
   });
   done_.causticCounted = now_.causticPhotons;
@@ -95,7 +123,7 @@ void RenderSession::expectDensity() {
   startPass(0);
   const auto count = [&](std::optional<ExpectedDensity>& expected, MapKind kind, const ImportanceMap& importance) {
     expected.emplace(*context_, kind, plan_.capacityFor(kind));
-    tracePilots({kind, guideFor(kind), true}, now_.photonsFor(kind), [&] { expected->count(*stage_, importance); });
+    tracePilots(sourceOf(kind, true), now_.photonsFor(kind), [&] { expected->count(*stage_, importance); });
   };
   count(globalExpected_, MapKind::global, importance_.global);
   if (causticMap_) count(causticExpected_, MapKind::caustic, importance_.caustic);

@@ -54,6 +54,7 @@ Workspace::Workspace(gpu::Context& c, const WorkspaceSize& s)
     table.set(binding, noCells);
   table.set(kBindingGuideRows, noGuide);
   table.set(kBindingGuideColumns, noGuide);
+  table.set(kBindingScatterGuide, noGuide);
   table.set(kBindingPathDifferentials, pathDifferentials);
   table.set(kBindingFootprints, footprints);
   table.set(kBindingBounds, bounds);

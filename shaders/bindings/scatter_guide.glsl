@@ -1,0 +1,12 @@
+// The guide for scattering at work.
+#ifndef IMPORTON_BINDINGS_SCATTER_GUIDE_GLSL
+#define IMPORTON_BINDINGS_SCATTER_GUIDE_GLSL
+#include "bindings/parameters.glsl"
+
+layout(binding = kBindingScatterGuide) uniform samplerBuffer scatterGuides;
+
+float scatterGuide(uint i) { return texelFetch(scatterGuides, int(i)).x; }
+
+#include "lib/scatter_guide.glsl"
+
+#endif
