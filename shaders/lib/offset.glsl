@@ -21,17 +21,37 @@ HitPosition pointOnTriangle(vec3 v0, vec3 a, vec3 b, vec2 uv) {
   return hit;
 }
 
+/// Weights of a point moved at right angles to the edges that it is too near to, each weight by what it lacks: along
+/// the height on its edge, whose foot shares out among the other two weights what they lose. Stops at other edges.
+vec3 moveOffEdges(vec3 a, vec3 b, vec3 weights, vec3 lack) {
+  const vec3 c = b - a;
+  const float ab = dot(a, b);
+  const vec3 squares = max(vec3(dot(c, c), dot(b, b), dot(a, a)), vec3(1e-30));
+  const float foot0 = dot(b, c) / squares.x;  // share of v1; of v2 below
+  const float foot1 = ab / squares.y, foot2 = ab / squares.z;
+  const float moveU = lack.y - lack.x * foot0 - lack.z * foot2;
+  const float moveV = lack.z - lack.x * (1.0 - foot0) - lack.y * foot1;
+  const vec3 moves = vec3(-moveU - moveV, moveU, moveV);
+  const vec3 rooms = mix(vec3(1.0), -weights / moves, lessThan(moves, vec3(0.0)));
+  return max(weights + min(min(rooms.x, rooms.y), min(rooms.z, 1.0)) * moves, vec3(0.0));
+}
+
 /// Weights that keep a point inside the triangle's edges by `margin` per axis. A weight falls off from its
 /// vertex by its gradient. Where a triangle is hardly larger than the margin, points stay within a sixteenth of
-/// their place.
+/// their place; at the tips of needles within a few margins, where more would move them along the needle.
 vec2 keepInsideEdges(vec3 a, vec3 b, vec2 uv, vec3 margin) {
+  const float kMostMargins = 8.0;
   const vec3 normal = cross(a, b);
   const float square = dot(normal, normal);
   if (!(square > 0.0)) return uv;
   const vec3 gradientU = cross(b, normal) / square, gradientV = cross(normal, a) / square;
-  const vec3 least =
+  const vec3 wanted =
       vec3(dot(abs(gradientU + gradientV), margin), dot(abs(gradientU), margin), dot(abs(gradientV), margin));
-  const vec3 weights = max(vec3(1.0 - uv.x - uv.y, uv), min(least, vec3(1.0 / 16.0)));
+  const vec3 least = min(wanted, vec3(1.0 / 16.0));
+  const vec3 inside = max(vec3(1.0 - uv.x - uv.y, uv), vec3(0.0));
+  const vec3 moved = moveOffEdges(a, b, inside, max(least - inside, vec3(0.0)));
+  const float most = kMostMargins * sqrt(dot(margin, margin) / max(dot(a, a), dot(b, b)));
+  const vec3 weights = max(moved, min(least, vec3(most)));
   return weights.yz / (weights.x + weights.y + weights.z);
 }
 

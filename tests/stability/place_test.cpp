@@ -1,4 +1,6 @@
 // Where a scene stands, how it is turned and how it is cut into triangles must not matter.
+#include <cmath>
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "render_helper.h"
@@ -55,13 +57,30 @@ TEST_F(Place, RotationChangesNothingInTheMean) {
   }
 }
 
+TEST_F(Place, SlowNeedlesMakeAPlane) {
+  const StabilityCase listed(11, "a plane as 1e6 needles of aspect 1e6", "the irradiance of a plane");
+  SceneBuilder builder;
+  builder.quad(builder.material(diffuse(vec3(0.8f))), {-2, 0, 4}, {4, 0, 0}, {0, 0, -8}, 500'000, 1);
+  builder.pointLight({0, 1, 0}, vec3(2.0f));
+  builder.camera({0, 1.5, 0.01}, {0, 0, 0}, 0.8, kSize, kSize);
+  const Scene scene = builder.finish();
+  const auto radiance = [](const glm::dvec3& x) {
+    const double square = x.x * x.x + x.z * x.z + 1;
+    return 0.8 / glm::pi<double>() * 2 / (square * std::sqrt(square));
+  };
+  const std::vector<double> expected = planeImage(scene, {0, 0, 0}, {0, 1, 0}, radiance);
+  for (const Integrator integrator : {Integrator::path, Integrator::photon})
+    EXPECT_TRUE(isImageOf(renderScene(makeJob(integrator, 4), scene).image, expected));
+}
+
 /// Every point of a glowing sphere lies over the horizon of the plane that it touches.
 TEST_F(Place, SphereLightThatTouchesAPlaneHasItsMean) {
   const StabilityCase listed(38, "a sphere light that touches a plane", "E = pi L r² h / d³");
   constexpr double kRadius = 0.3;
   SceneBuilder builder;
   builder.square(builder.material(diffuse(vec3(1.0f))), {0, 0, 0}, {0, 1, 0}, 4);
-  builder.icosphere(builder.material(emitter(vec3(2.0f))), {0, kRadius, 0}, kRadius, 6, Facing::outside, Shading::flat);
+  builder.icosphere(builder.material(emitter(vec3(2.0f))), {0, kRadius, 0}, kRadius, 6, Facing::outside,
+                    Shading::flat);
   builder.camera({1, 1, 0}, {0.5, 0, 0}, 0.5, kSize, kSize);
   const Scene scene = builder.finish();
   const auto radiance = [](const glm::dvec3& x) {
