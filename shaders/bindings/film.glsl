@@ -4,5 +4,21 @@
 #include "bindings/parameters.glsl"
 
 layout(scalar, binding = kBindingPathLight) buffer PathLightBlock { PathLight pathLight[]; };
+layout(binding = kBindingSamplePlan) uniform usamplerBuffer samplePlan;
+
+/// Of a pixel of the tile: the first of its paths among the plan's, and that path's number among all of the pixel's
+/// beyond those of the mean. The plan ends with the number of its paths.
+uvec2 plannedPaths(uint pixel) { return texelFetch(samplePlan, int(pixel)).xy; }
+
+/// The pixel that the plan's path `path` belongs to.
+uint plannedPixel(uint path, uint pixels) {
+  uint low = 0u, high = pixels;
+  while (high - low > 1u) {
+    const uint middle = (low + high) / 2u;
+    if (plannedPaths(middle).x <= path) low = middle;
+    else high = middle;
+  }
+  return low;
+}
 
 #endif

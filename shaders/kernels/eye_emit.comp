@@ -15,8 +15,15 @@ layout(push_constant, scalar) uniform PushBlock { EyeEmitPush push; };
 void main() {
   const uint slot = invocationIndex();
   if (slot >= push.count) return;
-  // All pixels of the tile, then all again for the next path of each.
-  const uint id = push.first + slot % push.pixels, sampleOfPixel = push.sampleOfPixel + slot / push.pixels;
+  // All pixels of the tile, then all again for the next path of each; or the paths of each as planned.
+  uint pixel = slot % push.pixels, sampleOfPixel = push.firstSample + slot / push.pixels;
+  if (push.isPlanned != 0u) {
+    const uint path = push.firstSample + slot;
+    pixel = plannedPixel(path, push.pixels);
+    const uvec2 planned = plannedPaths(pixel);
+    sampleOfPixel = planned.y + path - planned.x;
+  }
+  const uint id = push.first + pixel;
   const uint index = eyeIndex(id, sampleOfPixel);
   const vec2 u = sequencePoint(eyeStream(id, sampleOfPixel), index, kPairFirst);
   const vec2 size = vec2(params.width, params.height);

@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/film.glsl"
 #include "lib/long_sum.glsl"
+#include "lib/sampling.glsl"
 
 layout(scalar, binding = kBindingFilm) buffer FilmBlock { FilmPixel film[]; };
 layout(push_constant, scalar) uniform PushBlock { FilmAddPush push; };
@@ -23,10 +24,18 @@ void add(inout vec3 sum, vec3 value) {
 void main() {
   const uint slot = invocationIndex();
   if (slot >= push.count) return;
-  isLong = params.pass >= kNearestAdditions / params.samplesPerPass;
+  isLong = params.pass >= kNearestAdditions / (params.samplesPerPass * kMostPathsShare);
   pixel = film[push.offset + slot];
-  for (uint k = 0u; k < push.samples; ++k) {
-    const PathLight light = pathLight[k * push.count + slot];
+  uint first = slot, stride = push.count, count = push.samples;
+  if (push.isPlanned != 0u) {
+    const uint begin = max(plannedPaths(slot).x, push.first);
+    const uint end = min(plannedPaths(slot + 1u).x, push.first + push.paths);
+    first = begin - push.first;
+    stride = 1u;
+    count = end > begin ? end - begin : 0u;
+  }
+  for (uint k = 0u; k < count; ++k) {
+    const PathLight light = pathLight[first + k * stride];
     random = hashCombine(hashCombine(params.pass, push.first + k), slot);
     add(pixel.direct, light.direct);
     add(pixel.caustic, light.caustic);
@@ -36,9 +45,11 @@ void main() {
     add(pixel.normal, light.normal);
     const vec3 sum = light.direct + light.caustic + light.indirect;
     add(pixel.square, sum * sum);
-    vec3 gathers = vec3(pixel.gathers, 0.0, 0.0);
-    add(gathers, vec3(float(light.gathers), 0.0, 0.0));
-    pixel.gathers = gathers.x;
+    const float found = mean(light.direct + light.caustic);
+    vec3 others = vec3(pixel.gathers, pixel.foundSquare, 0.0);
+    add(others, vec3(float(light.gathers), found * found, 0.0));
+    pixel.gathers = others.x;
+    pixel.foundSquare = others.y;
   }
   film[push.offset + slot] = pixel;
 }

@@ -31,11 +31,11 @@ vec2 sequencePoint(uint stream, uint index, uint pair) {
   return vec2(unitFloat(x), unitFloat(y));
 }
 
-/// Item `item` of a pass whose first one is `first`, counted over all passes: low words in x.
+/// Item `item` from `first` on, counted over all passes: low words in x. It may be a negative number.
 uvec2 longIndex(uvec2 first, uint item) {
   uint carry;
   const uint low = uaddCarry(first.x, item, carry);
-  return uvec2(low, first.y + carry);
+  return uvec2(low, first.y + carry - (item >> 31));
 }
 
 /// The stream for a long index: those past the 2^32 points of one sequence go on in others.

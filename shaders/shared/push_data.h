@@ -22,9 +22,10 @@ struct EyeEmitPush {
   uint first;     // pixel or importon
   uint count;
   uint pixels;    // of the tile, or importons
-  uint sampleOfPixel;  // the first of its pixel's paths in this pass
+  uint firstSample;  // of each pixel's paths in this pass, or of the plan's paths
   uint total;     // importons in all
   uint isCentred; // 1: through the middle of the pixel
+  uint isPlanned; // 1: pixels have as many paths as the sample plan says
 };
 
 /// kernels/eye_light.comp
@@ -282,10 +283,12 @@ struct SortScatterPush {
 
 /// kernels/film_add.comp
 struct FilmAddPush {
-  uint count;   // pixels of the tile
-  uint samples; // paths of each that are done
-  uint offset;  // first film pixel of the half
-  uint first;   // of each pixel's paths in this pass, before these
+  uint count;      // pixels of the tile
+  uint samples;    // paths of each that are done
+  uint offset;     // first film pixel of the half
+  uint first;      // of each pixel's paths in this pass, or of the plan's paths, before these
+  uint isPlanned;  // 1: pixels have as many paths as the sample plan says
+  uint paths;      // done in all
 };
 
 /// kernels/aov_surface.comp

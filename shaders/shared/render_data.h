@@ -106,6 +106,9 @@ SHARED_CONST uint kPathLookupDeep = 0x4000u; // its map lookup counts as indirec
 /// Along each side of the scene: lib/light_voxel.glsl.
 SHARED_CONST uint kLightVoxels = 64u;
 
+/// As many times the paths of a pass that a pixel gets in the mean, one may get at most: src/render/sample_plan.h
+SHARED_CONST uint kMostPathsShare = 8u;
+
 /// Importance is estimated at every so-manieth importon, from all of them.
 SHARED_CONST uint kImportonsPerSite = 4u;
 
@@ -133,7 +136,8 @@ struct FilmPixel {
   vec3 position;    // of the vertices that gathered
   vec3 normal;
   float gathers;    // how many there were
-  vec3 square;      // of the whole radiance of a pass
+  vec3 square;      // of the whole radiance of a path
+  float foundSquare;  // of the mean over channels of emitted, direct and caustic radiance
 };
 
 /// Where a path asks for a map lookup.

@@ -132,6 +132,10 @@ void addMethodOptions(CLI::App& app, RenderJob& job) {
       ->type_name("N")
       ->group(group);
   addChoice<bool>(
+      app, "--adaptive-samples", {{"auto", true}, {"off", false}}, job.isAdaptive,
+      "more camera paths for pixels that are noisier; not with\n--gather (default: auto)")
+      ->group(group);
+  addChoice<bool>(
       app, "--indirect-filter", {{"auto", true}, {"off", false}}, job.filtersIndirect,
       "share gathered irradiance among neighbouring visible points,\nwith a radius that shrinks with "
       "the error (default: auto)")

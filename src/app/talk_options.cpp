@@ -85,6 +85,7 @@ void applyTalk(const CLI::App& app, RenderJob& job) {
   set("--density-limits", job.hasProgramLimits, true);
   set("--emission", job.emission, EmissionChoice::power);
   set("--indirect-filter", job.filtersIndirect, false);
+  set("--adaptive-samples", job.isAdaptive, false);
   set("--max-depth", job.maxDepth, 7);
 }
 

@@ -56,7 +56,7 @@ void traceImportons(const Stage& stage, const ImportanceMap& global, std::uint32
                     bool knowsImportance) {
   gpu::BindingTable table = stage.work.table;
   global.bind(table);
-  Queues queues = startQueues(stage, stage.kernels.importonEmit, table, EyeEmitPush{0, count, count, 0, count, 0});
+  Queues queues = startQueues(stage, stage.kernels.importonEmit, table, EyeEmitPush{0, count, count, 0, count, 0, 0});
   for (uint depth = 0; depth <= maxDepth; ++depth) {
     table.set(kBindingQueue, *queues.now);
     overRays(stage, stage.kernels.traceClosest, table, queues.counter, TracePush{queues.counter});
@@ -75,8 +75,11 @@ void traceImage(const Stage& stage, const EyeMaps& maps, const EyeSamples& sampl
                 uint maxDepth, const gpu::Buffer& film, uint filmOffset) {
   gpu::BindingTable table = stage.work.table;
   maps.importance->global.bind(table);
+  const bool isPlanned = samples.plan != nullptr;
+  if (isPlanned) table.set(kBindingSamplePlan, *samples.plan);
+  const uint paths = isPlanned ? samples.count : count * samples.count;
   Queues queues = startQueues(stage, stage.kernels.eyeEmit, table,
-                              EyeEmitPush{first, count * samples.count, count, samples.first, 0, 0});
+                              EyeEmitPush{first, paths, count, samples.first, 0, 0, isPlanned});
   for (uint depth = 0; depth <= maxDepth; ++depth) {
     table.set(kBindingQueue, *queues.now);
     overRays(stage, stage.kernels.traceClosest, table, queues.counter, TracePush{queues.counter});
@@ -89,13 +92,13 @@ void traceImage(const Stage& stage, const EyeMaps& maps, const EyeSamples& sampl
     queues.swap();
   }
   table.set(kBindingFilm, film);
-  stage.recorder.dispatch(stage.kernels.filmAdd, table, count, FilmAddPush{count, samples.count, filmOffset, samples.first});
+  stage.recorder.dispatch(stage.kernels.filmAdd, table, count, FilmAddPush{count, samples.count, filmOffset, samples.first, isPlanned, paths});
 }
 
 void traceAovs(const Stage& stage, const EyeMaps& maps, uint first, uint count, const gpu::Buffer& aov) {
   gpu::BindingTable table = stage.work.table;
   table.set(kBindingAov, aov);
-  startQueues(stage, stage.kernels.eyeEmit, table, EyeEmitPush{first, count, count, 0, 0, 1});
+  startQueues(stage, stage.kernels.eyeEmit, table, EyeEmitPush{first, count, count, 0, 0, 1, 0});
   overRays(stage, stage.kernels.traceClosest, table, kCounterQueueA, TracePush{kCounterQueueA});
   stage.recorder.dispatch(stage.kernels.aovSurface, table, count, AovSurfacePush{count});
   const auto addMap = [&](const PhotonMap* map, const ImportanceMap& importance, bool isGlobal) {

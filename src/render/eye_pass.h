@@ -18,12 +18,13 @@ struct EyeMaps {
   bool hasCells = false;              // gather rays read the irradiance map that is bound
 };
 
-/// Which of each pixel's paths in a pass.
+/// Which paths of a pass: so many of each pixel; or, with a plan (render/sample_plan.h), so many of all that it deals.
 struct EyeSamples {
   uint first = 0, count = 1;
+  const gpu::Buffer* plan = nullptr;
 };
 
-/// Paths for each of the pixels `first` .. `first + count`; adds what they bring to `film` from FilmPixel `filmOffset`
+/// Paths for the pixels `first` .. `first + count`; adds what they bring to `film` from FilmPixel `filmOffset`
 /// on. The workspace must have slots for all of them.
 void traceImage(const Stage& stage, const EyeMaps& maps, const EyeSamples& samples, uint first, uint count,
                 uint maxDepth, const gpu::Buffer& film, uint filmOffset);

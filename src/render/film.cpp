@@ -57,50 +57,57 @@ struct HalfMeans {
   std::vector<vec3> even, odd;
 };
 
-HalfMeans indirectMeans(std::span<const FilmPixel> halves, const FilmReading& reading, float perEven, float perOdd) {
+float inverse(float samples) { return samples > 0 ? 1 / samples : 0.0f; }
+
+HalfMeans indirectMeans(std::span<const FilmPixel> halves, const FilmReading& reading) {
   const std::size_t pixels = halves.size() / 2;
-  if (reading.filtersIndirect && reading.oddSamples > 0) {
-    FilteredIndirect filtered = filterIndirect(halves, {reading.width, reading.evenSamples, reading.oddSamples}, reading.threads);
+  if (reading.filtersIndirect && reading.counts.oddSamples > 0) {
+    FilteredIndirect filtered = filterIndirect(halves, reading.width, reading.counts, reading.threads);
     return {std::move(filtered.even), std::move(filtered.odd)};
   }
   HalfMeans means{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
   for (std::size_t i = 0; i < pixels; ++i) {
-    means.even[i] = halves[i].indirect * perEven;
-    means.odd[i] = halves[pixels + i].indirect * perOdd;
+    means.even[i] = halves[i].indirect * inverse(reading.counts.even(i));
+    means.odd[i] = halves[pixels + i].indirect * inverse(reading.counts.odd(i));
   }
   return means;
+}
+
+/// Of the mean of a half's paths.
+vec3 varianceOf(const FilmPixel& sums, float samples) {
+  if (samples < 2) return vec3(0);
+  const vec3 mean = (sums.direct + sums.caustic + sums.indirect) / samples;
+  return glm::max(sums.square / samples - mean * mean, vec3(0)) / (samples - 1);
 }
 
 }  // namespace
 
 FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& reading) {
   const std::size_t pixels = halves.size() / 2;
-  const std::int64_t samples = reading.evenSamples + reading.oddSamples;
-  const auto inverse = [](std::int64_t n) { return n > 0 ? 1.0f / static_cast<float>(n) : 0.0f; };
-  const float scale = inverse(samples), perEven = inverse(reading.evenSamples), perOdd = inverse(reading.oddSamples);
-  const float evenShare = static_cast<float>(reading.evenSamples) * scale;
-  HalfMeans means = indirectMeans(halves, reading, perEven, perOdd);
+  const SampleCounts& counts = reading.counts;
+  const float share = counts.evenShare();
+  const auto mix = [share](const vec3& even, const vec3& odd) { return even * share + odd * (1 - share); };
+  HalfMeans means = indirectMeans(halves, reading);
   HalfMeans raw{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
   FilmLayers layers;
   for (auto* layer : {&layers.total, &layers.direct, &layers.caustic, &layers.indirect, &layers.variance})
     layer->resize(pixels);
   for (std::size_t i = 0; i < pixels; ++i) {
     const FilmPixel &a = halves[i], &b = halves[pixels + i];
-    layers.direct[i] = (a.direct + b.direct) * scale;
-    layers.caustic[i] = (a.caustic + b.caustic) * scale;
-    layers.indirect[i] = means.even[i] * evenShare + means.odd[i] * (1 - evenShare);
+    const float perEven = inverse(counts.even(i)), perOdd = inverse(counts.odd(i));
+    layers.direct[i] = mix(a.direct * perEven, b.direct * perOdd);
+    layers.caustic[i] = mix(a.caustic * perEven, b.caustic * perOdd);
+    layers.indirect[i] = mix(means.even[i], means.odd[i]);
     layers.total[i] = layers.direct[i] + layers.caustic[i] + layers.indirect[i];
-    const vec3 unfiltered = layers.direct[i] + layers.caustic[i] + (a.indirect + b.indirect) * scale;
-    const vec3 spread = (a.square + b.square) * scale - unfiltered * unfiltered;
-    layers.variance[i] = samples > 1 ? glm::max(spread, vec3(0)) / static_cast<float>(samples - 1) : vec3(0);
+    layers.variance[i] = varianceOf(a, counts.even(i)) * (share * share) + varianceOf(b, counts.odd(i)) * ((1 - share) * (1 - share));
     raw.even[i] = (a.direct + a.caustic + a.indirect) * perEven;
     raw.odd[i] = (b.direct + b.caustic + b.indirect) * perOdd;
     means.even[i] += (a.direct + a.caustic) * perEven;
     means.odd[i] += (b.direct + b.caustic) * perOdd;
   }
   layers.error.resize(pixels);
-  if (reading.oddSamples == 0) return layers;
-  ErrorEstimate estimate = estimateErrors({means.even, means.odd, evenShare}, {raw.even, raw.odd, evenShare}, reading.width);
+  if (counts.oddSamples == 0) return layers;
+  ErrorEstimate estimate = estimateErrors({means.even, means.odd, share}, {raw.even, raw.odd, share}, reading.width);
   layers.estimatedError = estimate.relative;
   layers.error = std::move(estimate.perPixel);
   return layers;

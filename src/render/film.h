@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gpu/buffer.h"
+#include "render/sample_plan.h"
 #include "shared/render_data.h"
 
 namespace importon {
@@ -14,6 +15,7 @@ namespace importon {
 struct FilmTile {
   uint first = 0, count = 0;
   gpu::Buffer pixels;  // FilmPixel of the even passes, then of the odd ones
+  gpu::Buffer plan{};  // of the paths of the pass at hand; empty: all pixels have as many
 };
 
 class Film {
@@ -30,7 +32,7 @@ class Film {
   std::vector<FilmTile> tiles_;
 };
 
-/// Means of the film over passes, per pixel, W/(m² sr).
+/// Means of the film over paths, per pixel, W/(m² sr); those of the two halves weighted by the paths of the whole image.
 struct FilmLayers {
   std::vector<vec3> total, direct, caustic, indirect;
   std::vector<vec3> variance;        // of the mean, from the spread over passes, before any filter
@@ -41,7 +43,7 @@ struct FilmLayers {
 /// How to read a film.
 struct FilmReading {
   int width = 1;
-  std::int64_t evenSamples = 0, oddSamples = 0;  // per pixel, in each half
+  SampleCounts counts;
   bool filtersIndirect = false;  // shares irradiance among pixels: render/indirect_filter.h
   int threads = 0;
 };

@@ -24,11 +24,18 @@ struct Guide {
   bool isPure = false;  // all its gathers lie on one smooth surface
 };
 
+/// Means over a pixel's paths.
+struct Gathered {
+  vec3 indirect, modulation;
+};
+
 struct Halves {
-  std::span<const FilmPixel> even, odd;
+  std::vector<Gathered> even, odd;
   int width, height;
   std::vector<Guide> guides;
 };
+
+Gathered meanOf(const FilmPixel& sums, float samples) { return {sums.indirect / samples, sums.modulation / samples}; }
 
 Guide makeGuide(const FilmPixel& a, const FilmPixel& b) {
   Guide g;
@@ -109,23 +116,25 @@ std::vector<float> blur(const std::vector<float>& values, int width, int height,
   return out;
 }
 
-/// Light of a half from its irradiance, with the mean modulation of both.
-vec3 modulate(const FilmPixel& a, const FilmPixel& b, vec3 irradiance, std::int64_t samples) {
-  return (a.modulation + b.modulation) * irradiance / static_cast<float>(samples);
+Halves makeHalves(std::span<const FilmPixel> film, int width, const SampleCounts& counts) {
+  const std::size_t pixels = film.size() / 2;
+  Halves h{{}, {}, width, static_cast<int>(pixels) / width, {}};
+  for (std::size_t i = 0; i < pixels; ++i) {
+    h.even.push_back(meanOf(film[i], counts.even(i)));
+    h.odd.push_back(meanOf(film[pixels + i], counts.odd(i)));
+    h.guides.push_back(makeGuide(film[i], film[pixels + i]));
+  }
+  return h;
 }
 
 }  // namespace
 
-FilteredIndirect filterIndirect(std::span<const FilmPixel> film, const FilmShape& shape, int threads) {
-  const int width = shape.width;
-  const std::int64_t samples = shape.evenSamples + shape.oddSamples;
+FilteredIndirect filterIndirect(std::span<const FilmPixel> film, int width, const SampleCounts& counts, int threads) {
   const std::size_t pixels = film.size() / 2;
-  Halves h{film.first(pixels), film.last(pixels), width, static_cast<int>(pixels) / width, std::vector<Guide>(pixels)};
-  for (std::size_t i = 0; i < pixels; ++i) h.guides[i] = makeGuide(h.even[i], h.odd[i]);
-
+  const Halves h = makeHalves(film, width, counts);
+  const float evenShare = counts.evenShare();
   std::vector<float> best(pixels);
   FilteredIndirect result{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
-  const float perEven = static_cast<float>(shape.evenSamples), perOdd = static_cast<float>(shape.oddSamples);
   for (const int radius : kRadii) {
     std::vector<Estimate> estimates(pixels);
     std::vector<float> residuals(pixels);
@@ -143,12 +152,13 @@ FilteredIndirect filterIndirect(std::span<const FilmPixel> film, const FilmShape
     for (std::size_t i = 0; i < pixels; ++i) {
       if (radius == 0) {
         best[i] = around[i];
-        result.even[i] = h.even[i].indirect / perEven;
-        result.odd[i] = h.odd[i].indirect / perOdd;
+        result.even[i] = h.even[i].indirect;
+        result.odd[i] = h.odd[i].indirect;
       } else if (h.guides[i].hasGathers && (radius <= kEdgeRadius || h.guides[i].isPure) && around[i] < best[i]) {
         best[i] = around[i];
-        result.even[i] = modulate(h.even[i], h.odd[i], estimates[i].even, samples);
-        result.odd[i] = modulate(h.even[i], h.odd[i], estimates[i].odd, samples);
+        const vec3 modulation = h.even[i].modulation * evenShare + h.odd[i].modulation * (1 - evenShare);
+        result.even[i] = modulation * estimates[i].even;
+        result.odd[i] = modulation * estimates[i].odd;
       }
     }
   }

@@ -4,15 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "shared/render_data.h"
+#include "render/sample_plan.h"
 
 namespace importon {
-
-/// How the film was filled.
-struct FilmShape {
-  int width = 1;
-  std::int64_t evenSamples = 0, oddSamples = 0;  // per pixel, in each half
-};
 
 /// Filtered indirect light of both halves, with its modulation, per pixel: means over passes.
 struct FilteredIndirect {
@@ -24,6 +18,7 @@ struct FilteredIndirect {
 /// other half best, over a window around it: noise lowers with the radius, bias rises, and as the noise goes to
 /// zero so does the radius. Direct and caustic light are untouched. `halves`: even passes, then odd ones, each
 /// width · height pixels; at least a sample in each half.
-[[nodiscard]] FilteredIndirect filterIndirect(std::span<const FilmPixel> halves, const FilmShape& shape, int threads);
+[[nodiscard]] FilteredIndirect filterIndirect(std::span<const FilmPixel> halves, int width, const SampleCounts& counts,
+                                              int threads);
 
 }  // namespace importon

@@ -74,6 +74,7 @@ PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2
   plan.tilePixels = std::min<std::uint64_t>(pixels, kPathsAtOnce / std::min(whole.samples, kFewestAtOnce));
   plan.samplesAtOnce = std::clamp(static_cast<std::uint32_t>(kPathsAtOnce / plan.tilePixels), 1u, whole.samples);
   plan.workspace.slots = plan.tilePixels * plan.samplesAtOnce;
+  plan.isAdaptive = job.isAdaptive && !job.gather && job.integrator == Integrator::photon;
   plan.storage.receivers = static_cast<uint>(job.redistribute.value_or(0));
   plan.storage.acceptance = job.acceptance == Acceptance::step ? kAcceptStep : kAcceptCosine;
   plan.storage.shares = static_cast<uint>(job.shares);

@@ -23,6 +23,7 @@ struct PassPlan {
   std::uint32_t batch = 0;      // traced at once
   std::uint32_t importons = 0;
   std::uint32_t samplesAtOnce = 1;  // of a pixel
+  bool isAdaptive = false;          // pixels have more or fewer than `samples`: render/sample_plan.h
   uint nearestImportons = 32;   // M of the importance estimate
   StorageRule storage;          // without control and expected density, which may change
   uint nearestPhotons = 0;      // of a lookup; 0: all within a radius

@@ -61,6 +61,7 @@ struct RenderJob {
   std::optional<int> nearestImportons;       // M of the importance estimate
   std::optional<int> gather;                 // final gather rays per pixel and pass
   bool filtersIndirect = true;               // --indirect-filter auto, off
+  bool isAdaptive = true;                    // more camera paths where the image is noisier
   int maxDepth = 16;                         // scattering events
   std::vector<std::string> aovs;
   std::uint32_t seed = 0;

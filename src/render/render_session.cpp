@@ -26,6 +26,9 @@ double secondsSince(Clock::time_point start) { return std::chrono::duration<doub
 /// Low word in x.
 uvec2 wordsOf(std::uint64_t n) { return {static_cast<uint>(n), static_cast<uint>(n >> 32)}; }
 
+/// Of the variance of indirect light, if the filter shares it among pixels.
+constexpr float kFilteredShare = 1.0f / 16;
+
 bool isPointLayer(const std::string& name) { return name.starts_with("importons.") || name.starts_with("photons."); }
 
 /// Builds the BVH; a progress line when it takes long.
@@ -45,6 +48,7 @@ Bvh buildSceneBvh(const Scene& scene, const RenderJob& job, Log& log, double& se
 RenderSession::RenderSession(const RenderJob& job, const Scene& scene, Log& log)
     : job_(job), scene_(scene), log_(log), control_(job.control) {
   size_ = chooseSize(chooseCamera(scene, job), job);
+  samplePlan_ = SamplePlan(size_.x, pixels());
   features_ = findFeatures(scene, job);
   // The device and its kernels come up while the tree is built.
   auto device = std::async(std::launch::async, [this] { loadDevice(); });
@@ -212,11 +216,22 @@ EyeMaps RenderSession::eyeMaps() const {
 
 void RenderSession::gatherImage(int pass) {
   const Clock::time_point start = Clock::now();
-  for (const FilmTile& tile : film_->tiles()) {
-    const uint half = pass % 2 == 0 ? 0 : tile.count;
+  if (plan_.isAdaptive && SamplePlan::learnsBefore(pass))
+    samplePlan_.learn(film_->download(), done_.evenSamples, done_.oddSamples, job_.filtersIndirect ? kFilteredShare : 1.0f);
+  for (FilmTile& tile : film_->tiles()) {
+    const auto trace = [&](const EyeSamples& samples) {
+      traceImage(*stage_, eyeMaps(), samples, tile.first, tile.count, parameters_.maxDepth, tile.pixels,
+                 pass % 2 == 0 ? 0 : tile.count);
+    };
+    if (samplePlan_.hasLearned()) {
+      const std::vector<uvec2> dealt = samplePlan_.deal(pass, now_.samples, tile.first, tile.count);
+      tile.plan = gpu::makeBuffer(*context_, "sample plan", std::span<const uvec2>(dealt), gpu::TexelFormat::uint2);
+      const uint paths = dealt.back().x, most = tile.count * plan_.samplesAtOnce;
+      for (uint first = 0; first < paths; first += most) trace({first, std::min(most, paths - first), &tile.plan});
+      continue;
+    }
     for (uint first = 0; first < now_.samples; first += plan_.samplesAtOnce)
-      traceImage(*stage_, eyeMaps(), {first, std::min(plan_.samplesAtOnce, now_.samples - first)}, tile.first, tile.count,
-                 parameters_.maxDepth, tile.pixels, half);
+      trace({first, std::min(plan_.samplesAtOnce, now_.samples - first)});
   }
   recorder_->submitAndWait();
   stats_.seconds.gather += secondsSince(start);
@@ -262,7 +277,7 @@ void RenderSession::countPass(int pass) {
 }
 
 FilmLayers RenderSession::readFilm() const {
-  return resolveFilm(film_->download(), {size_.x, static_cast<std::int64_t>(done_.evenSamples), static_cast<std::int64_t>(done_.oddSamples),
+  return resolveFilm(film_->download(), {size_.x, samplePlan_.counts(done_.evenSamples, done_.oddSamples),
                                          job_.filtersIndirect && hasMaps(), job_.threads});
 }
 

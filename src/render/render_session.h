@@ -133,6 +133,7 @@ class RenderSession {
   std::optional<gpu::Recorder> recorder_;
   std::optional<Stage> stage_;
   std::optional<Film> film_;
+  SamplePlan samplePlan_{0, 0};
   ImportanceMaps importance_;
   std::optional<PhotonMap> causticMap_, globalMap_;
   std::optional<ExpectedDensity> causticExpected_, globalExpected_;

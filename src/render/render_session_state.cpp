@@ -19,7 +19,7 @@ struct HostState {
   float densityLimit;
   DensityControl control;
 };
-constexpr const char* kHostName = "host";
+constexpr const char *kHostName = "host", *kSamplePlanName = "sample plan";
 
 CheckpointBlock blockOf(const std::string& name, std::span<const std::byte> bytes) {
   return {name, {bytes.begin(), bytes.end()}};
@@ -57,6 +57,7 @@ Checkpoint RenderSession::save(int passes, std::vector<CheckpointBlock> more) {
   const HostState host{stats_.closestRays, stats_.shadowRays, stats_.photonsEmitted,          stats_.caustic,
                        stats_.global,      done_, parameters_.globalMap.densityLimit, control_};
   checkpoint.blocks.push_back(blockOf(kHostName, std::as_bytes(std::span(&host, 1))));
+  checkpoint.blocks.push_back({kSamplePlanName, samplePlan_.save()});
   return checkpoint;
 }
 
@@ -69,10 +70,13 @@ Checkpoint RenderSession::readCheckpointOfJob() const {
 }
 
 void RenderSession::restore(const Checkpoint& checkpoint) {
+  const auto refuse = [&](const std::string& name) {
+    throw SceneError("the checkpoint has no fitting " + name, job_.resume.string(), "start again without --resume");
+  };
   const auto bytesOf = [&](const std::string& name, std::uint64_t size) -> std::span<const std::byte> {
     const CheckpointBlock* block = checkpoint.find(name);
-    if (block != nullptr && block->bytes.size() == size) return block->bytes;
-    throw SceneError("the checkpoint has no fitting " + name, job_.resume.string(), "start again without --resume");
+    if (block == nullptr || block->bytes.size() != size) refuse(name);
+    return block->bytes;
   };
   if (features_.readsCells) {
     prepareCells(std::max(checkpoint.passes - 1, 0));
@@ -81,6 +85,8 @@ void RenderSession::restore(const Checkpoint& checkpoint) {
   for (const Lasting& lasting : lastingMemory())
     lasting.buffer->uploadBytes(bytesOf(lasting.name, lasting.buffer->bytes()));
   for (int pass = 0; pass < std::min(checkpoint.passes, kLearningPasses); ++pass) updateGuides();
+  const CheckpointBlock* plan = checkpoint.find(kSamplePlanName);
+  if (plan == nullptr || !samplePlan_.restore(plan->bytes)) refuse(kSamplePlanName);
   HostState host{};
   std::memcpy(static_cast<void*>(&host), bytesOf(kHostName, sizeof host).data(), sizeof host);
   stats_.closestRays = host.closestRays;
