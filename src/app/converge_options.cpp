@@ -47,6 +47,7 @@ std::vector<KnownConfig> knownConfigs() {
           {"uncontrolled", "--control off"},
           {"density", "--control density"},
           {"unfiltered", "--indirect-filter off"},
+          {"even", "--adaptive-samples off"},
           {"differentials", "--importance differentials"},
           {"probability", "--control probability"},
           {"power", "--emission power"},
