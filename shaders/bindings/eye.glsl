@@ -8,6 +8,7 @@
 layout(scalar, binding = kBindingShadowRays) writeonly buffer ShadowRaysBlock { Ray shadowRays[]; };
 layout(scalar, binding = kBindingShadowLight) writeonly buffer ShadowLightBlock { vec3 shadowLight[]; };
 layout(scalar, binding = kBindingEyeVertices) writeonly buffer EyeVerticesBlock { EyeVertex eyeVertices[]; };
+layout(scalar, binding = kBindingLookups) writeonly buffer LookupsBlock { uint lookups[]; };
 
 /// Adds light found by the path itself (emitters, environment) to its component.
 void addFound(uint slot, PathState path, vec3 radiance) {
@@ -64,6 +65,7 @@ void writeImporton(uint at, Surface s, Ray ray, PathState path, bool readsGlobal
 void askForLookup(uint slot, Surface s, Ray ray, Hit hit, inout PathState path, bool readsGlobal, bool isRest, float radius) {
   path.flags |= kPathLookup | (readsGlobal ? kPathLookupGlobal : 0u) | (isRest ? kPathLookupRest : 0u);
   if ((path.flags & kPathScattered) != 0u) path.flags |= kPathLookupDeep;
+  lookups[atomicAdd(counters[kCounterLookups], 1u)] = slot;
   eyeVertices[slot] = EyeVertex(s.position, radius, path.throughput, hit.triangle, ray.direction, hit.u, hit.v);
 }
 

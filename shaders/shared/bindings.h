@@ -93,6 +93,7 @@ SHARED_CONST uint kBindingIrradiance = 72;      // storage, uint[8] per cell sid
 SHARED_CONST uint kBindingIrradianceTexels = 73;  // texel uint4: the same
 SHARED_CONST uint kBindingWeights = 56;        // texel float1: the same
 SHARED_CONST uint kBindingPathLight = 52;      // storage, PathLight[], by slot
+SHARED_CONST uint kBindingLookups = 78;         // storage, uint[]: slots of paths that ask for a map lookup
 SHARED_CONST uint kBindingSamplePlan = 77;      // texel uint2, one per pixel: src/render/sample_plan.h
 
 SHARED_CONST uint kBindingScatterGuide = 80;    // texel float1: lib/scatter_guide.glsl

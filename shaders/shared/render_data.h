@@ -249,6 +249,7 @@ SHARED_CONST uint kCounterRaysShadow = 10u;
 SHARED_CONST uint kCounterLevels = 11u;       // grid levels of the importons or the batch at work, a bit each
 SHARED_CONST uint kCounterSites = 15u;         // importons at which importance is estimated
 SHARED_CONST uint kCounterStoredLevels = 14u;   // grid levels of the stored photons at work, a bit each
+SHARED_CONST uint kCounterLookups = 12u;        // paths that ask for a map lookup at the depth at work
 SHARED_CONST uint kCounterAccepted = 13u;       // hits accepted now
 // What each map keeps between batches: kCounterMap + kCountersPerMap · (0 caustic, 1 global) + which.
 SHARED_CONST uint kCounterMap = 16u;

@@ -83,11 +83,14 @@ void traceImage(const Stage& stage, const EyeMaps& maps, const EyeSamples& sampl
   for (uint depth = 0; depth <= maxDepth; ++depth) {
     table.set(kBindingQueue, *queues.now);
     overRays(stage, stage.kernels.traceClosest, table, queues.counter, TracePush{queues.counter});
+    setCounter(stage, kCounterLookups, 0);
     overItems(stage, stage.kernels.eyeScatter, table, queues.counter, EyeScatterPush{queues.counter, 1});
     traceShadowRays(stage, table, queues.counter);
-    if (maps.caustic != nullptr) lookUp(stage, table, maps.importance->caustic, *maps.caustic, queues.counter, false);
+    table.set(kBindingQueue, stage.work.lookups);
+    setCounter(stage, kCounterLookups, 0, kCounterLookups);
+    if (maps.caustic != nullptr) lookUp(stage, table, maps.importance->caustic, *maps.caustic, kCounterLookups, false);
     if (maps.global != nullptr && !maps.hasCells && depth > 0)
-      lookUp(stage, table, maps.importance->global, *maps.global, queues.counter, true);
+      lookUp(stage, table, maps.importance->global, *maps.global, kCounterLookups, true);
     compact(stage, queues.counter, queues.nextCounter, queues.now, *queues.next, kCounterRaysClosest);
     queues.swap();
   }

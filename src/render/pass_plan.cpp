@@ -93,7 +93,7 @@ PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2
     return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(wanted, 1u << 16, 1u << 20));
   };
   whole.photons = photonsFor(pixels);
-  whole.causticPhotons = photonsFor(pixels * whole.samples);  // a caustic is seen directly: its noise is the image's
+  whole.causticPhotons = photonsFor(2 * pixels * whole.samples);  // a caustic is seen directly: its noise is the image's
   // Both maps share the photons asked for; a caustic map that no surface asks for must not change the image.
   const bool hasTwoMaps = features.needsCausticMap && !job.forcesAllFeatures;
   if (job.photons) whole.photons = whole.causticPhotons = std::max(*job.photons / (hasTwoMaps ? 2 : 1), 1u);

@@ -44,6 +44,7 @@ Workspace::Workspace(gpu::Context& c, const WorkspaceSize& s)
       lightsSeen(c, "lights seen", s.lightVoxels * sizeof(uvec2), TexelFormat::uint2),
       noCells(c, "no cells", 2 * sizeof(uvec4), TexelFormat::uint4),
       noCellsOfTriangles(c, "no cells of triangles", sizeof(uvec2), TexelFormat::uint2),
+      lookups(c, "lookups", s.slots * sizeof(uint)),
       noSamplePlan(c, "no sample plan", sizeof(uvec2), TexelFormat::uint2),
       noGuide(c, "no guide", sizeof(float), TexelFormat::float1),
       size(s) {
@@ -53,6 +54,7 @@ Workspace::Workspace(gpu::Context& c, const WorkspaceSize& s)
   table.set(kBindingSurfaceCells, noCellsOfTriangles);
   for (const uint binding : {kBindingRecordCells, kBindingIrradiance, kBindingIrradianceTexels})
     table.set(binding, noCells);
+  table.set(kBindingLookups, lookups);
   table.set(kBindingSamplePlan, noSamplePlan);
   table.set(kBindingGuideRows, noGuide);
   table.set(kBindingGuideColumns, noGuide);

@@ -27,6 +27,7 @@ struct Workspace {
   gpu::Buffer pathDifferentials, footprints, bounds;  // of one item without differentials
   gpu::Buffer lightsSeen;  // two words per voxel: shaders/lib/light_voxel.glsl
   gpu::Buffer noCells, noCellsOfTriangles;  // stands for an irradiance map where there is none
+  gpu::Buffer lookups;       // slots of paths that ask for a map lookup
   gpu::Buffer noSamplePlan;  // stands for one where all pixels have as many paths
   gpu::Buffer noGuide;  // stands for an emission guide where there is none
   gpu::BindingTable table;
