@@ -132,7 +132,7 @@ void sampleDirectLight(uint slot, inout PathState path, Surface s, Bsdf b, mat3 
   shadowRays[slot] = shadowRay(s, l, ray.id);
   shadowLight[slot] = light3;
   if ((path.flags & kPathScattered) != 0u) path.flags |= kPathShadowDeep;
-  atomicAdd(counters[kCounterRaysShadow], 1u);
+  if (atomicAdd(counters[kSumRaysShadow], 1u) == 0xFFFFFFFFu) atomicAdd(counters[kSumRaysShadow + 1u], 1u);
 }
 
 /// Notes where and with which weight the path gathers indirect light.

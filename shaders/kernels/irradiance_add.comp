@@ -39,6 +39,7 @@ void main() {
     const uint high = sums[c].y + uint(before + sums[c].x < before);
     if (high != 0u) atomicAdd(totals[2u * c + 1u], high);
   }
-  atomicAdd(counters[kCounterCellHits], hits);
+  const uint hitsBefore = atomicAdd(counters[kSumCellHits], hits);
+  if (hitsBefore + hits < hitsBefore) atomicAdd(counters[kSumCellHits + 1u], 1u);
   atomicAdd(counters[kCounterCellsLit], lit);
 }

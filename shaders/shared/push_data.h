@@ -6,6 +6,13 @@
 
 SHARED_BEGIN
 
+/// kernels/add_counter.comp
+struct AddCounterPush {
+  uint counter;
+  uint sum;      // its low word; the high one follows
+  uint empties;  // 1: the counter is 0 afterwards
+};
+
 /// kernels/compact_count.comp
 struct CompactCountPush {
   uint source;

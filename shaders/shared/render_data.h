@@ -244,8 +244,7 @@ SHARED_CONST uint kCounterStored = 4u;        // photons in the map at work
 SHARED_CONST uint kCounterEntries = 6u;       // entries being sorted
 SHARED_CONST uint kCounterTotal = 7u;         // result of a scan
 SHARED_CONST uint kCounterOverflow = 8u;      // photons that found no room
-SHARED_CONST uint kCounterRaysClosest = 9u;   // rays traced in this pass
-SHARED_CONST uint kCounterRaysShadow = 10u;
+SHARED_CONST uint kCounterRaysClosest = 9u;   // rays traced since they were last added to kSumRaysClosest
 SHARED_CONST uint kCounterLevels = 11u;       // grid levels of the importons or the batch at work, a bit each
 SHARED_CONST uint kCounterSites = 15u;         // importons at which importance is estimated
 SHARED_CONST uint kCounterStoredLevels = 14u;   // grid levels of the stored photons at work, a bit each
@@ -253,14 +252,17 @@ SHARED_CONST uint kCounterLookups = 12u;        // paths that ask for a map look
 SHARED_CONST uint kCounterAccepted = 13u;       // hits accepted now
 // What each map keeps between batches: kCounterMap + kCountersPerMap · (0 caustic, 1 global) + which.
 SHARED_CONST uint kCounterMap = 16u;
-SHARED_CONST uint kCountersPerMap = 4u;
+SHARED_CONST uint kCountersPerMap = 6u;
 SHARED_CONST uint kMapStored = 0u;
-SHARED_CONST uint kMapHits = 1u;
-SHARED_CONST uint kMapOverflow = 2u;           // photons that found no room
-SHARED_CONST uint kMapLevels = 3u;             // grid levels of the finished map, a bit each
+SHARED_CONST uint kMapOverflow = 1u;           // photons that found no room
+SHARED_CONST uint kMapLevels = 2u;             // grid levels of the finished map, a bit each
+SHARED_CONST uint kMapHits = 4u;               // a sum of two words
 // Of the irradiance map in this pass.
-SHARED_CONST uint kCounterCellHits = 40u;
 SHARED_CONST uint kCounterCellsLit = 41u;  // cell sides that had their first photon
+// Sums that may pass 2^32 in a pass: two words each, the low one first.
+SHARED_CONST uint kSumRaysClosest = 44u;
+SHARED_CONST uint kSumRaysShadow = 46u;
+SHARED_CONST uint kSumCellHits = 48u;
 SHARED_CONST uint kCounterCount = 64u;
 
 SHARED_END

@@ -68,7 +68,7 @@ void traceImportons(const Stage& stage, const ImportanceMap& global, std::uint32
     compact(stage, queues.counter, queues.nextCounter, queues.now, *queues.next, kCounterRecords);
     queues.swap();
   }
-  setCounter(stage, kCounterRaysClosest, 0, kCounterRaysClosest, kCounterRecords);
+  addCounter(stage, kCounterRecords, kSumRaysClosest);
 }
 
 void traceImage(const Stage& stage, const EyeMaps& maps, const EyeSamples& samples, uint first, uint count,
@@ -94,6 +94,7 @@ void traceImage(const Stage& stage, const EyeMaps& maps, const EyeSamples& sampl
     compact(stage, queues.counter, queues.nextCounter, queues.now, *queues.next, kCounterRaysClosest);
     queues.swap();
   }
+  addCounter(stage, kCounterRaysClosest, kSumRaysClosest, true);
   table.set(kBindingFilm, film);
   stage.recorder.dispatch(stage.kernels.filmAdd, table, count, FilmAddPush{count, samples.count, filmOffset, samples.first, isPlanned, paths});
 }

@@ -23,6 +23,7 @@ std::vector<Entry> listCommon(KernelSet& k, Integrator integrator, bool hasAlpha
   const char* trace = hasAlpha ? "trace_alpha" : "trace";
   const uint mode = integrator == Integrator::path ? kEyePath : kEyeImage;
   return {{&k.setCounter, "set counter", "set_counter", {}},
+          {&k.addCounter, "add counter", "add_counter", {}},
           {&k.compactCount, "compact count", "compact_count", {}},
           {&k.scan, "scan", "scan", {{kSpecWorkgroupSize, kScanThreads}}},
           {&k.compactScatter, "compact scatter", "compact_scatter", {}},

@@ -6,7 +6,7 @@
 namespace importon {
 
 struct KernelSet {
-  gpu::Kernel setCounter, compactCount, scan, compactScatter, sortCount, sortScatter, gridCells, gridPoints;
+  gpu::Kernel setCounter, addCounter, compactCount, scan, compactScatter, sortCount, sortScatter, gridCells, gridPoints;
   gpu::Kernel traceClosest, traceShadow;
   gpu::Kernel eyeEmit, eyeScatter, eyeLight, mapLookup, filmAdd, aovSurface, aovMap;
   gpu::Kernel mapNearest, mapIrradiance, irradianceEstimate, aovAsk, aovAnswer;

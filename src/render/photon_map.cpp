@@ -27,7 +27,7 @@ uint PhotonMap::counter(uint which) const {
 }
 
 void PhotonMap::begin(const Stage& stage) {
-  for (const uint which : {kMapStored, kMapHits, kMapOverflow}) setCounter(stage, counter(which), 0);
+  for (const uint which : {kMapStored, kMapOverflow, kMapHits, kMapHits + 1}) setCounter(stage, counter(which), 0);
   stage.recorder.fill(totals_, 0);
   stage.recorder.fill(stored_.cells, 0);
   hasStored_ = false;
@@ -76,7 +76,7 @@ void PhotonMap::addBatch(const Stage& stage, const ImportanceMap& importance, co
   hasStored_ = true;
   setCounter(stage, counter(kMapStored), 0, kCounterStored);
   setCounter(stage, counter(kMapOverflow), 0, kCounterOverflow);
-  setCounter(stage, counter(kMapHits), 0, counter(kMapHits), kCounterSelected);
+  addCounter(stage, kCounterSelected, counter(kMapHits));
 }
 
 void PhotonMap::controlByCells(const Stage& stage, gpu::BindingTable& table) {
@@ -235,7 +235,7 @@ PhotonMapCounts PhotonMap::readCounts(const Stage& stage, float fluxScale) const
   const auto counters = stage.work.counters.download<uint>(kCounterCount);
   const auto totals = totals_.download<std::uint64_t>(9);  // hits, map, kept; two words each, low word first
   PhotonMapCounts counts;
-  counts.hits = counters[counter(kMapHits)];
+  counts.hits = sumOf(counters, counter(kMapHits));
   counts.stored = counters[counter(kMapStored)];
   counts.overflow = overflow(counters);
   counts.redistributed = isThinned_ ? 0 : counts.hits - counts.stored - counts.overflow;

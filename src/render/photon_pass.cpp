@@ -26,7 +26,7 @@ void tracePaths(const Stage& stage, gpu::BindingTable& table, MapKind kind, cons
     std::swap(now, next);
     std::swap(counter, nextCounter);
   }
-  setCounter(stage, kCounterRaysClosest, 0, kCounterRaysClosest, kCounterRecords);
+  addCounter(stage, kCounterRecords, kSumRaysClosest);
 }
 
 }  // namespace

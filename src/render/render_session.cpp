@@ -259,8 +259,8 @@ void RenderSession::addToDone(int pass) {
 void RenderSession::countPass(int pass) {
   addToDone(pass);
   const auto counters = work_->counters.download<uint>(kCounterCount);
-  stats_.closestRays += counters[kCounterRaysClosest];
-  stats_.shadowRays += counters[kCounterRaysShadow];
+  stats_.closestRays += sumOf(counters, kSumRaysClosest);
+  stats_.shadowRays += sumOf(counters, kSumRaysShadow);
   if (counters[kCounterTraceUnfinished] > 0)
     log_.warn("rays given up", fmt::format("{} rays were too long for this device", counters[kCounterTraceUnfinished]));
   if (!hasMaps()) return;
@@ -269,9 +269,9 @@ void RenderSession::countPass(int pass) {
   stats_.photonsEmitted = stats_.global.emitted + stats_.caustic.emitted;
   if (globalMap_) addCounts(stats_.global, globalMap_->readCounts(*stage_, parameters_.fluxScale), "global");
   else if (irradiance_) {
-    stats_.global.hits += counters[kCounterCellHits];
+    stats_.global.hits += sumOf(counters, kSumCellHits);
     stats_.global.stored += counters[kCounterCellsLit];
-    stats_.global.redistributed += counters[kCounterCellHits] - counters[kCounterCellsLit];
+    stats_.global.redistributed += sumOf(counters, kSumCellHits) - counters[kCounterCellsLit];
   }
   if (causticMap_) addCounts(stats_.caustic, causticMap_->readCounts(*stage_, parameters_.fluxScale), "caustic");
 }

@@ -89,6 +89,10 @@ void setCounter(const Stage& stage, uint counter, uint value, uint a, uint b, ui
                           SetCounterPush{counter, value, a, b, limit});
 }
 
+void addCounter(const Stage& stage, uint counter, uint sum, bool empties) {
+  stage.recorder.dispatch(stage.kernels.addCounter, stage.work.table, 1, AddCounterPush{counter, sum, empties});
+}
+
 void compact(const Stage& stage, uint source, uint target, const Buffer* in, const Buffer& out, uint accumulate) {
   gpu::BindingTable table = stage.work.table;
   table.set(kBindingQueue, in != nullptr ? *in : out);

@@ -74,6 +74,13 @@ void overRays(const Stage& stage, const gpu::Kernel& kernel, const gpu::BindingT
 /// counters[counter] = min(value + counters[a] + counters[b], limit)
 void setCounter(const Stage& stage, uint counter, uint value, uint a = kNone, uint b = kNone, uint limit = kNone);
 
+/// Adds counters[counter] to the sum of two words at `sum`, and empties the counter if so asked.
+void addCounter(const Stage& stage, uint counter, uint sum, bool empties = false);
+/// The sum of two words at `sum` among the counters that were read back.
+[[nodiscard]] inline std::uint64_t sumOf(std::span<const uint> counters, uint sum) {
+  return counters[sum] | std::uint64_t{counters[sum + 1]} << 32;
+}
+
 /// Stable compaction of the `source` entries whose `keep` is 1: `out` receives their indices (takesIndex) or
 /// the values of `in` there; `target` their number. `accumulate`, if any, grows by `source`.
 void compact(const Stage& stage, uint source, uint target, const gpu::Buffer* in, const gpu::Buffer& out,

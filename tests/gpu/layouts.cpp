@@ -53,6 +53,7 @@ std::vector<HostLayout> hostLayouts() {
       // shared/push_data.h
       IMPORTON_LAYOUT(PhotonCell, keyA, keyB, photon),
       IMPORTON_LAYOUT(CellFindPush, isGlobal),
+      IMPORTON_LAYOUT(AddCounterPush, counter, sum, empties),
       IMPORTON_LAYOUT(CompactCountPush, source),
       IMPORTON_LAYOUT(CompactScatterPush, source, takesIndex),
       IMPORTON_LAYOUT(EyeEmitPush, first, count, pixels, firstSample, total, isCentred, isPlanned),

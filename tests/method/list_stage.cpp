@@ -11,6 +11,7 @@ void ListTest::SetUp() {
   if (IsSkipped() || HasFatalFailure()) return;
   const auto make = [this](const char* name) { return gpu::Kernel(context(), name, kernels::spirv(name)); };
   kernels_.setCounter = make("set_counter");
+  kernels_.addCounter = make("add_counter");
   kernels_.compactCount = make("compact_count");
   kernels_.compactScatter = make("compact_scatter");
   const gpu::Specialization scanSize{kSpecWorkgroupSize, kScanThreads};

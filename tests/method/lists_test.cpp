@@ -46,6 +46,18 @@ TEST_F(Lists, CompactionKeepsTheMarkedEntriesInTheirOrder) {
   }
 }
 
+TEST_F(Lists, CountersAddUpBeyond32Bits) {
+  setCounter(stage(), kCounterRecords, 0xFFFFFFF0u);
+  for (int i = 0; i < 3; ++i) addCounter(stage(), kCounterRecords, kSumRaysClosest);
+  setCounter(stage(), kCounterEntries, 1000);
+  for (int i = 0; i < 2; ++i) addCounter(stage(), kCounterEntries, kSumRaysClosest, true);
+  stage().recorder.submitAndWait();
+  const auto counters = work().counters.download<uint>(kCounterCount);
+  EXPECT_EQ(sumOf(counters, kSumRaysClosest), 3 * 0xFFFFFFF0ull + 1000);
+  EXPECT_EQ(counter(kCounterRecords), 0xFFFFFFF0u);
+  EXPECT_EQ(counter(kCounterEntries), 0u) << "emptied";
+}
+
 TEST_F(Lists, CompactionOfAQueueTakesItsValuesAndCountsWhatPassed) {
   std::mt19937 random(2);
   constexpr std::size_t kSize = 5000;
