@@ -1,6 +1,8 @@
 // Lights that are weak, many, hidden, huge, tiny, or where they should not be.
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <utility>
+#include <vector>
 
 #include "hard_scenes.h"
 #include "render_helper.h"
@@ -70,6 +72,37 @@ TEST_F(HardLights, StandWhereTheyShouldNot) {
     const Rendered r = renderScene(makeJob(integrator, 2), builder.finish());
     EXPECT_TRUE(isSane(r.image));
     EXPECT_EQ(r.stats.global.fluxMap, r.stats.global.fluxHits);
+  }
+}
+
+/// A grid of points of seven intensities.
+TEST_F(HardLights, SlowTenThousandPointsLightAPlane) {
+  const StabilityCase listed(59, "10,000 point lights over a plane", "E = sum of I cos³ / h²");
+  constexpr int kSide = 100;
+  constexpr double kHeight = 0.2, kSpacing = 0.04;
+  SceneBuilder builder;
+  builder.square(builder.material(diffuse(vec3(1.0f))), {0, 0, 0}, {0, 1, 0}, 6);
+  std::vector<std::pair<glm::dvec2, double>> lights;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const glm::dvec2 place = kSpacing * (glm::dvec2(i % kSide, i / kSide) - 0.5 * (kSide - 1));
+    lights.emplace_back(place, 1e-3 * (1 + i % 7));
+    builder.pointLight({place.x, kHeight, place.y}, vec3(static_cast<float>(lights.back().second)));
+  }
+  builder.camera({0, 3, 0.01}, {0, 0, 0}, 0.8, 6, 6);
+  const Scene scene = builder.finish();
+  const auto radiance = [&](const glm::dvec3& x) {
+    double sum = 0;
+    for (const auto& [place, intensity] : lights) {
+      const double square = std::pow(x.x - place.x, 2) + std::pow(x.z - place.y, 2) + kHeight * kHeight;
+      sum += intensity * kHeight / (square * std::sqrt(square));
+    }
+    return sum / kPi;
+  };
+  const std::vector<double> expected = planeImage(scene, {0, 0, 0}, {0, 1, 0}, radiance);
+  for (const Integrator integrator : {Integrator::path, Integrator::photon}) {
+    RenderJob job = makeJob(integrator, 8);
+    job.gather = 32;
+    EXPECT_TRUE(isImageOf(renderScene(job, scene).image, expected, 2));
   }
 }
 
