@@ -193,7 +193,7 @@ void addDensityOptions(CLI::App& app, RenderJob& job) {
                          job.guideWeight,
                          "guided photons go so that noise is least where it is important,\nor there but where photons "
                          "by power leave less than is\nrequired, or in proportion to what they bring to important\nplaces "
-                         "(default: importance)")
+                         "(default: deficit)")
       ->group(group);
   addChoice<PhotonsShot>(app, "--shoot", {{"all", PhotonsShot::all}, {"enough", PhotonsShot::enough}}, job.shooting,
                          "all photons of a pass, or as many as important places require\n(default: all)")

@@ -45,7 +45,7 @@ struct RenderJob {
   GatherSource gatherFrom = GatherSource::automatic;  // cells, where the rest is as by default
   EmissionChoice emission = EmissionChoice::automatic;
   ScatterChoice scatter = ScatterChoice::material;
-  GuideWeight guideWeight = GuideWeight::importance;
+  GuideWeight guideWeight = GuideWeight::deficit;
   PhotonsShot shooting = PhotonsShot::all;
   std::optional<std::uint32_t> photonBatch;  // photons traced at once
   double causticDensity = 20, globalDensity = 1.5;  // M_r, photons per pixel footprint
