@@ -5,7 +5,10 @@
 #include "bindings/importance.glsl"
 #include "bindings/photon_cells.glsl"
 #include "bindings/selection.glsl"
+#include "lib/seen_light.glsl"
+#include "shared/features.h"
 
+layout(constant_id = kSpecIsDirectional) const bool kIsDirectional = false;
 layout(scalar, binding = kBindingNeighbours) writeonly buffer HomesBlock { uint homes[]; };
 layout(scalar, binding = kBindingImportonHitsOut) buffer HitsBlock { uint hitsOut[]; };
 layout(push_constant, scalar) uniform PushBlock { CellFindPush push; };
@@ -20,7 +23,9 @@ void main() {
   const vec3 normal = mapPointNormal(point.packed);
   const NearImportons importons = importonsAt(importonFrame(), map.importonLevels, point.position, normal);
   if (importons.nearest != kNone && params.pass < kCountingPasses) atomicAdd(hitsOut[importons.nearest], 1u);
-  const float density = requiredDensityAt(map, importons.first);
+  float density = requiredDensityAt(map, importons.first);
+  if (kIsDirectional && push.isGlobal == 0u && (kind & kRecordGlossy) != 0u && importons.first != kNone)
+    density *= seenShare(mapPointDirection(importonPoint(importons.first).w), mapPointDirection(point.packed), normal);
   const uint lightClass = (kind & kRecordGlossy) != 0u ? 1u + directionClass(mapPointDirection(point.packed)) : 0u;
   const uint level = cellLevel(params.gridExtent, normal, density);
   const uint slot = findCell(cellKey(point.position - params.gridOrigin, params.gridExtent, level, directionClass(normal), lightClass));

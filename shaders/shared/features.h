@@ -33,6 +33,7 @@ SHARED_CONST uint kSpecPhotonKind = 18u;       // kPhotonsGlobal, kPhotonsCausti
 SHARED_CONST uint kSpecImportanceBound = 20u;  // kBound*
 
 SHARED_CONST uint kSpecScatterIsGuided = 45u;  // photons scatter by a guide too
+SHARED_CONST uint kSpecIsDirectional = 46u;    // required density knows which light glossy surfaces show
 
 SHARED_CONST uint kBoundNone = 0u;    // required density follows the importance map
 SHARED_CONST uint kBoundPixel = 1u;   // the largest density that a footprint nearby asks for

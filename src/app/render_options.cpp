@@ -177,6 +177,14 @@ void addDensityOptions(CLI::App& app, RenderJob& job) {
                                "with --importance differentials: the most that a path nearby\nasks for, or the sum "
                                "(default: screen)")
       ->group(group);
+  addChoice<RequiredBy>(app, "--required-density",
+                        {{"importance", RequiredBy::importance},
+                         {"contribution", RequiredBy::contribution},
+                         {"direction", RequiredBy::direction}},
+                        job.requiredBy,
+                        "in the caustic map by importance; or lower where other light\ndrowns the caustic; or lower for "
+                        "light that glossy surfaces do\nnot show from where they are seen (default: importance)")
+      ->group(group);
   addChoice<EmissionChoice>(app, "--emission",
                             {{"power", EmissionChoice::power}, {"guided", EmissionChoice::guided}}, job.emission,
                             "photons by the lights' power, or guided to what matters\n(default: guided where it pays)")

@@ -48,9 +48,17 @@ void addLookupOptions(CLI::App& app, RenderJob& job) {
                              "read the global map's irradiance precomputed at the nearest\nphoton (too bright at edges "
                              "of light) or importon (default:\noff)")
       ->group(kGroup);
-  app.add_option("--lookup-photons", job.lookupPhotons, "photons of a lookup (default: automatic)")
-      ->check(wholeNumber(2, kMostNeighbours, "photons"))
-      ->type_name("M")
+  const auto check = wholeNumber(2, kMostNeighbours, "photons");
+  app.add_option_function<std::string>(
+         "--lookup-photons",
+         [&job](const std::string& text) {
+           job.choosesLookups = text == "auto";
+           if (text != "auto") job.lookupPhotons = std::stoi(text);
+         },
+         "photons of a lookup; auto: as many as a pilot finds best for\neach map (default: 20 in the caustic map, 8 in the "
+         "global map)")
+      ->check([check](const std::string& text) { return text == "auto" ? std::string() : check(text); })
+      ->type_name("M|auto")
       ->group(kGroup);
   app.add_option("--nearest-importons", job.nearestImportons, "importons of an importance estimate (default: automatic)")
       ->check(wholeNumber(2, kMostNeighbours, "importons"))

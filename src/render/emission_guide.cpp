@@ -1,7 +1,6 @@
 #include "render/emission_guide.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "shared/bindings.h"
@@ -10,7 +9,6 @@
 namespace importon {
 namespace {
 
-constexpr double kPlainShare = 0.15;             // by power, whatever was learned
 constexpr std::size_t kMostCells = 1u << 18;
 
 std::vector<double> powersOf(const Scene& scene) {
@@ -40,48 +38,6 @@ void sumUp(std::span<const double> shares, double total, std::vector<float>& out
 
 }  // namespace
 
-std::vector<double> smoothBins(const std::vector<double>& moments, std::size_t lights, int bins) {
-  std::vector<double> out(moments.size());
-  const std::size_t perLight = static_cast<std::size_t>(bins) * static_cast<std::size_t>(bins);
-  for (std::size_t light = 0; light < lights; ++light) {
-    for (int y = 0; y < bins; ++y) {
-      for (int x = 0; x < bins; ++x) {
-        double sum = 0;
-        for (int qy = std::max(y - 1, 0); qy <= std::min(y + 1, bins - 1); ++qy)
-          for (int qx = std::max(x - 1, 0); qx <= std::min(x + 1, bins - 1); ++qx)
-            sum += moments[light * perLight + static_cast<std::size_t>(qy * bins + qx)] * (qx == x && qy == y ? 8 : 1);
-        out[light * perLight + static_cast<std::size_t>(y * bins + x)] = sum / 16;
-      }
-    }
-  }
-  return out;
-}
-
-GuideShares shareOut(const std::vector<double>& moments, const std::vector<double>& powers, int bins,
-                     GuideWeight guideWeight) {
-  const std::size_t perLight = moments.size() / powers.size();
-  const std::vector<double> smoothed = smoothBins(moments, powers.size(), bins);
-  double total = 0;
-  const auto weight = [&](double moment) { return guideWeight == GuideWeight::potential ? moment : std::sqrt(moment); };
-  for (const double moment : smoothed) total += weight(moment);
-  GuideShares shares;
-  double byPower = 0, byGuide = 0;
-  for (std::size_t i = 0; i < moments.size(); ++i) {
-    const double power = powers[i / perLight] / static_cast<double>(perLight);
-    const double even = 1 / static_cast<double>(moments.size());
-    const double plain = 0.5 * (power + even);
-    // Where nothing is learned yet, each cell keeps some photons beside those of much stronger lights.
-    const double share = total > 0 ? kPlainShare * plain + (1 - kPlainShare) * weight(smoothed[i]) / total
-                                   : kPlainShare * plain + (1 - kPlainShare) * power;
-    shares.cells.push_back(share);
-    if (moments[i] <= 0) continue;
-    byPower += moments[i] / std::max(power, 1e-300);
-    byGuide += moments[i] / share;
-  }
-  if (byGuide > 0) shares.gain = byPower / byGuide;
-  return shares;
-}
-
 EmissionGuide::EmissionGuide(gpu::Context& context, const Scene& scene, MapKind kind, int bins, GuideWeight weight)
     : kind_(kind),
       bins_(chooseBins(scene.lights.size(), bins)),
@@ -91,9 +47,9 @@ EmissionGuide::EmissionGuide(gpu::Context& context, const Scene& scene, MapKind 
   const std::uint64_t rows = scene.lights.size() * bins_;
   rows_ = gpu::Buffer(context, "guide rows", (rows + 1) * sizeof(float), gpu::TexelFormat::float1);
   columns_ = gpu::Buffer(context, "guide columns", rows * (bins_ + 1) * sizeof(float), gpu::TexelFormat::float1);
-  sums_ = gpu::Buffer(context, "guide sums", rows * bins_ * sizeof(uint));
-  sums_.upload(std::span<const uint>(std::vector<uint>(rows * bins_)));
-  upload(shareOut(std::vector<double>(rows * bins_), powers_, static_cast<int>(bins_), weight_).cells);
+  const std::uint64_t cells = rows * bins_;
+  sums_ = gpu::makeBuffer(context, "guide sums", std::span<const uint>(std::vector<uint>(2 * cells)));
+  upload(chooseShares(std::vector<double>(cells), std::vector<double>(cells), powers_, static_cast<int>(bins_), weight_).cells);
 }
 
 void EmissionGuide::followDeficits(const Stage& stage, const ImportanceMap& importance, const Parameters& parameters,
@@ -115,8 +71,10 @@ void EmissionGuide::learn(const Stage& stage, const ImportanceMap& importance, f
 }
 
 void EmissionGuide::update() {
-  const auto sums = sums_.download<uint>(powers_.size() * bins_ * bins_);
-  const GuideShares shares = shareOut({sums.begin(), sums.end()}, powers_, static_cast<int>(bins_), weight_);
+  const std::size_t cells = powers_.size() * bins_ * bins_;
+  const auto even = sums_.download<uint>(cells), odd = sums_.download<uint>(cells, cells * sizeof(uint));
+  const GuideShares shares =
+      chooseShares({even.begin(), even.end()}, {odd.begin(), odd.end()}, powers_, static_cast<int>(bins_), weight_);
   upload(shares.cells);
   gain_ = shares.gain;
   ++stream_;

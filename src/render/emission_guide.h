@@ -4,28 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "render/render_job.h"
+#include "render/guide_shares.h"
 #include "render/site_hits.h"
 #include "scene/scene.h"
 
 namespace importon {
-
-/// Shares of the cells of a guide, and what they promise.
-struct GuideShares {
-  std::vector<double> cells;  // sum 1
-  double gain = 1;            // variance by power over variance by these shares, as far as it was learned
-};
-
-/// Shares for `lights` lights of `bins` x `bins` cells, by the root of the learned second moment, smoothed; a seventh
-/// goes by power, half of that evenly over the lights, so that nothing has probability zero. `moments`: of each cell;
-/// `powers`: of the lights, sum 1.
-/// With GuideWeight::potential the shares go by the moments themselves: as much as photons bring to important places,
-/// whatever it does to noise. [Peter and Pietrek 1998]
-[[nodiscard]] GuideShares shareOut(const std::vector<double>& moments, const std::vector<double>& powers, int bins,
-                                   GuideWeight weight);
-
-/// Each of bins x bins cells with its neighbours in the same group: half from itself, half from the eight around.
-[[nodiscard]] std::vector<double> smoothBins(const std::vector<double>& moments, std::size_t groups, int bins);
 
 class EmissionGuide {
  public:

@@ -26,10 +26,11 @@ std::string settingsOf(const RenderJob& job) {
                      job.causticDensity,
                      job.globalDensity, shown(job.constantDensity), shown(job.redistribute), shown(job.gather),
                      job.filtersIndirect, job.maxDepth, shown(job.memoryMiB)) +
-         fmt::format(" {} {} {} {} {} {} {} {} {} {} {} {}", static_cast<int>(job.irradiance), static_cast<int>(job.acceptance), static_cast<int>(job.shares),
+         fmt::format(" {} {} {} {} {} {} {} {} {} {} {} {} {} {}", static_cast<int>(job.irradiance), static_cast<int>(job.acceptance), static_cast<int>(job.shares),
                      shown(job.quota), job.hasProgramLimits, static_cast<int>(job.lookup), shown(job.lookupPhotons),
                      shown(job.nearestImportons), static_cast<int>(job.guideWeight),
-                     static_cast<int>(job.shooting), static_cast<int>(job.scatter), job.isAdaptive);
+                     static_cast<int>(job.shooting), static_cast<int>(job.scatter), static_cast<int>(job.requiredBy), job.choosesLookups,
+                     job.isAdaptive);
 }
 
 }  // namespace

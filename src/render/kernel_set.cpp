@@ -92,7 +92,7 @@ std::vector<Entry> listMaps(KernelSet& k, const RenderJob& job) {
           {&k.pilotCount, "count pilot", "pilot_count", {}},
           {&k.photonThin, "thin photons", "photon_thin", {}},
           {&k.photonKey, "photon key", "photon_key", {}},
-          {&k.cellFind, "find cell", "cell_find", {}},
+          {&k.cellFind, "find cell", "cell_find", {{kSpecIsDirectional, job.requiredBy == RequiredBy::direction}}},
           {&k.cellClaim, "claim cell", "cell_claim", {}},
           {&k.cellSettle, "settle cell", "cell_settle", {}},
           {&k.cellAdd, "add to cell", "cell_add", {}},

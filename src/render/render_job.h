@@ -19,6 +19,9 @@ enum class PowerShares { count, distance, direction };  // kShare*
 enum class MapLookup { radius, nearest };
 enum class IrradianceCache { off, photons, importons };  // where irradiance of the global map is precomputed
 enum class EmissionChoice { automatic, power, guided };
+/// What required density of the caustic map knows beside importance: what light is there besides, or which light glossy
+/// surfaces show.
+enum class RequiredBy { importance, contribution, direction };
 enum class ScatterChoice { material, guided };  // by what photons scatter: the material alone, or a guide too
 enum class GuideWeight { importance, deficit, potential };  // what guided emission follows
 enum class PhotonsShot { all, enough };          // of a pass: all that it may have, or what important places require
@@ -44,6 +47,7 @@ struct RenderJob {
   DifferentialBound differentialBound = DifferentialBound::screen;
   GatherSource gatherFrom = GatherSource::automatic;  // cells, where the rest is as by default
   EmissionChoice emission = EmissionChoice::automatic;
+  RequiredBy requiredBy = RequiredBy::importance;
   ScatterChoice scatter = ScatterChoice::material;
   GuideWeight guideWeight = GuideWeight::deficit;
   PhotonsShot shooting = PhotonsShot::all;
@@ -58,6 +62,7 @@ struct RenderJob {
   MapLookup lookup = MapLookup::radius;
   IrradianceCache irradiance = IrradianceCache::off;
   std::optional<int> lookupPhotons;          // M of a lookup, in both maps
+  bool choosesLookups = false;               // M by what a pilot shows, for each map that lookups read
   std::optional<int> nearestImportons;       // M of the importance estimate
   std::optional<int> gather;                 // final gather rays per pixel and pass
   bool filtersIndirect = true;               // --indirect-filter auto, off

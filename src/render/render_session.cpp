@@ -91,10 +91,13 @@ void RenderSession::findImportance() {
   if (scene_.lights.empty() || (importance_.global.count == 0 && importance_.caustic.count == 0))
     now_.photons = now_.causticPhotons = plan_.whole.photons = plan_.whole.causticPhotons = 0;
   if (features_.readsCells) cellSizes_.emplace(densityOfRecords(1, true));
+  knowOtherLight();
   trainGuides();
   findEnoughPhotons();
-  countCausticHits();
   expectDensity();
+  chooseLookups(MapKind::global, parameters_.globalMap);
+  chooseLookups(MapKind::caustic, parameters_.causticMap);
+  countCausticHits();
   if (features_.readsCells) findCellSizes();
   stats_.importonsEmitted = plan_.importons;
   stats_.importonsCaustic = importance_.caustic.count;

@@ -11,6 +11,7 @@
 #include "render/eye_pass.h"
 #include "render/film.h"
 #include "render/irradiance_map.h"
+#include "render/light_share.h"
 #include "render/pass_plan.h"
 #include "render/point_density.h"
 #include "render/renderer.h"
@@ -85,6 +86,15 @@ class RenderSession {
   /// Fills what holds the pass's photons of a kind, batch by batch, and teaches their guide. `isFirst`: not yet done in
   /// this pass, with a map that was too small.
   void shootFor(MapKind kind, bool isFirst);
+  /// Lowers the required density of the caustic map where other light drowns the caustic, as a pilot finds.
+  void knowOtherLight();
+  void addPilotLight(MapKind kind, std::vector<LightPoint>& light);
+  /// Chooses how many photons the lookups of a map have, if the job asks for it.
+  void chooseLookups(MapKind kind, MapSettings& settings);
+  /// Fills a map with a pass's photons that are in no other; a second time, with others.
+  void shootTrialMap(MapKind kind, MapSettings& settings, bool isSecond);
+  /// Radiance of a finished map where the camera looks: three channels of each pixel.
+  [[nodiscard]] std::vector<float> seeMap(MapKind kind);
   /// Traces importance from where the image reads the global map, which teaches photons which way to scatter.
   void trainScatter();
   [[nodiscard]] PhotonSource sourceOf(MapKind kind, bool isPilot);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "render/emission_guide.h"
+#include "render/guide_shares.h"
 #include "shared/push_data.h"
 
 namespace importon {

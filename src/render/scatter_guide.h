@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "render/render_job.h"
 #include "render/site_hits.h"
 #include "shared/bindings.h"
 

@@ -1,0 +1,70 @@
+// Required density that knows more than importance, and lookups that choose their photons: fewer photons are stored, or
+// other ones are read, and the image keeps its mean.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "render_helper.h"
+
+namespace importon::test {
+namespace {
+
+class Required : public RenderTest {};
+
+/// A glass ball over a floor that is a little glossy, lit by a small lamp, whose light it focuses, and by a strong one
+/// beside it, which drowns the caustic. The camera sees the floor.
+Scene drownedCaustic() {
+  SceneBuilder builder;
+  Material floor = diffuse(vec3(0.5f));
+  floor.specular = 1;
+  floor.roughness = 0.4f;
+  builder.square(builder.material(floor), {0, 0, 0}, {0, 1, 0}, 4);
+  builder.icosphere(builder.material(glass(1.5f)), {0, 0.6, 0}, 0.4, 3, Facing::outside, Shading::smooth);
+  builder.square(builder.material(emitter(vec3(40))), {0, 3, 0}, {0, -1, 0}, 0.3);
+  builder.pointLight({2, 2, 0}, vec3(40));
+  builder.camera({0, 1, 3}, {0, 0, 0}, 0.6, 16, 16);
+  return builder.finish();
+}
+
+RenderJob requiredJob() {
+  RenderJob job = makeJob(Integrator::photon, 2);
+  job.photons = 1u << 16;
+  job.importons = 1u << 13;
+  job.gather = 1;
+  return job;
+}
+
+struct Outcome {
+  Moments image;
+  double stored = 0;
+};
+
+Outcome outcomeOf(RenderJob job, const Scene& scene) {
+  Outcome outcome;
+  for (job.seed = 1; job.seed <= 3; ++job.seed) {
+    const Rendered rendered = renderScene(job, scene);
+    outcome.image.add(meanOf(rendered.image));
+    outcome.stored += static_cast<double>(rendered.stats.caustic.stored);
+  }
+  return outcome;
+}
+
+TEST_F(Required, LessWhereCausticsDoNotShowKeepsTheMean) {
+  const Scene scene = drownedCaustic();
+  RenderJob job = requiredJob();
+  const Outcome plain = outcomeOf(job, scene);
+  job.requiredBy = RequiredBy::contribution;
+  const Outcome contribution = outcomeOf(job, scene);
+  job.requiredBy = RequiredBy::direction;
+  const Outcome direction = outcomeOf(job, scene);
+  job.requiredBy = RequiredBy::importance;
+  job.choosesLookups = true;
+  EXPECT_TRUE(haveSameMean(plain.image, contribution.image, 3));
+  EXPECT_TRUE(haveSameMean(plain.image, direction.image, 3));
+  EXPECT_TRUE(haveSameMean(plain.image, outcomeOf(job, scene).image, 3));
+  EXPECT_LT(contribution.stored, 0.8 * plain.stored);
+  EXPECT_LT(direction.stored, 0.8 * plain.stored);
+}
+
+}  // namespace
+}  // namespace importon::test
