@@ -11,8 +11,8 @@ namespace {
 
 class Required : public RenderTest {};
 
-/// A glass ball over a floor that is a little glossy, lit by a small lamp, whose light it focuses, and by a strong one
-/// beside it, which drowns the caustic. The camera sees the floor.
+/// A glass ball over a floor that is a little glossy, lit by a small lamp, whose light it focuses, and by a strong light
+/// that shines on the floor below the edge of a wall, misses the ball and drowns the caustic. The camera sees the floor.
 Scene drownedCaustic() {
   SceneBuilder builder;
   Material floor = diffuse(vec3(0.5f));
@@ -21,7 +21,8 @@ Scene drownedCaustic() {
   builder.square(builder.material(floor), {0, 0, 0}, {0, 1, 0}, 4);
   builder.icosphere(builder.material(glass(1.5f)), {0, 0.6, 0}, 0.4, 3, Facing::outside, Shading::smooth);
   builder.square(builder.material(emitter(vec3(40))), {0, 3, 0}, {0, -1, 0}, 0.3);
-  builder.pointLight({2, 2, 0}, vec3(200));
+  builder.square(builder.material(diffuse(vec3(0.1f))), {0.8, 1.13, 0}, {1, 0, 0}, 2);
+  builder.pointLight({1.3, 0.1, 0}, vec3(100));
   builder.camera({0, 1, 3}, {0, 0, 0}, 0.6, 64, 64);
   return builder.finish();
 }
@@ -42,7 +43,7 @@ struct Outcome {
 
 Outcome outcomeOf(RenderJob job, const Scene& scene) {
   Outcome outcome;
-  for (job.seed = 1; job.seed <= 2; ++job.seed) {
+  for (job.seed = 1; job.seed <= 3; ++job.seed) {
     const Rendered rendered = renderScene(job, scene);
     outcome.image.add(meanOf(rendered.image));
     outcome.stored += static_cast<double>(rendered.stats.caustic.stored);
@@ -60,7 +61,7 @@ TEST_F(Required, LessWhereCausticsDoNotShowKeepsTheMean) {
   const Outcome direction = outcomeOf(job, scene);
   EXPECT_TRUE(haveSameMean(plain.image, contribution.image, 2));
   EXPECT_TRUE(haveSameMean(plain.image, direction.image, 2));
-  EXPECT_LT(contribution.stored, plain.stored);
+  EXPECT_LT(contribution.stored, 0.8 * plain.stored);
   EXPECT_LT(direction.stored, 0.8 * plain.stored);
 }
 
