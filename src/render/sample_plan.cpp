@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 
 namespace importon {
@@ -118,9 +117,9 @@ bool SamplePlan::restore(std::span<const std::byte> bytes) {
   if (hasLearned && bytes.size() != 2 * pixels_ * (sizeof(float) + sizeof(std::int32_t))) return false;
   const auto take = [&](auto& values) {
     values.resize(hasLearned ? pixels_ : 0);
-    const std::size_t size = values.size() * sizeof values[0];
-    std::memcpy(values.data(), bytes.data(), size);
-    bytes = bytes.subspan(size);
+    const auto target = std::as_writable_bytes(std::span(values));
+    std::copy_n(bytes.begin(), target.size(), target.begin());
+    bytes = bytes.subspan(target.size());
   };
   for (int half = 0; half < 2; ++half) {
     take(shares_[half]);
