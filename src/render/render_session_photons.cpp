@@ -12,6 +12,7 @@ constexpr double kLeastGain = 1.5;                   // learned, from which on g
 constexpr std::uint32_t kEnoughSteps = 32;           // into which a pass's photons are cut to see when it is enough
 constexpr std::uint32_t kFewestInStep = 512;
 constexpr std::uint32_t kScatterImportons = 1u << 17;  // that teach which way to scatter
+constexpr std::uint32_t kMostLessons = 64;             // batches of them, however small the batches are
 constexpr float kPassesInCells = 4;                  // in each half of the surface cells before they are cut anew
 
 }  // namespace
@@ -53,8 +54,9 @@ void RenderSession::trainScatter() {
     lesson.hitsPerPass = static_cast<float>(plan_.whole.photons) / static_cast<float>(photons);
   }
   scatterGuide_.emplace(*context_, parameters_, job_.guideWeight);
-  for (; lesson.first < kScatterImportons; lesson.first += lesson.count) {
-    lesson.count = std::min(plan_.batch, kScatterImportons - lesson.first);
+  const auto importons = static_cast<std::uint32_t>(std::min<std::uint64_t>(kScatterImportons, std::uint64_t{kMostLessons} * plan_.batch));
+  for (; lesson.first < importons; lesson.first += lesson.count) {
+    lesson.count = std::min(plan_.batch, importons - lesson.first);
     teachScatter(*stage_, importance_.global, *scatterGuide_, lesson);
   }
   recorder_->submitAndWait();
