@@ -27,7 +27,7 @@ double secondsSince(Clock::time_point start) { return std::chrono::duration<doub
 uvec2 wordsOf(std::uint64_t n) { return {static_cast<uint>(n), static_cast<uint>(n >> 32)}; }
 
 /// Of the variance of indirect light, if the filter shares it among pixels.
-constexpr float kFilteredShare = 1.0f / 16;
+constexpr float kFilteredShare = 1.0f / 128;
 
 bool isPointLayer(const std::string& name) { return name.starts_with("importons.") || name.starts_with("photons."); }
 

@@ -10,9 +10,13 @@ namespace {
 
 constexpr int kFirstLearning = 4;   // passes: two in each half
 constexpr double kEvenShare = 0.25;  // of all paths, whatever was learned
+constexpr float kPurity = 0.98f;     // length of the mean normal of what a pixel sees, below which it sees several surfaces
 constexpr double kGolden = 0.6180339887498949;  // multiples of it fill [0, 1) evenly
 
 double meanOf(const vec3& v) { return (static_cast<double>(v.x) + static_cast<double>(v.y) + static_cast<double>(v.z)) / 3; }
+
+/// False for pixels on edges, with which the filter of indirect light can do little.
+bool seesOneSurface(const FilmPixel& p) { return glm::length(p.normal) >= kPurity * p.gathers; }
 
 /// Variance of a path's light relative to the squared radiance of its pixel and a hundredth of the image's.
 std::vector<double> relativeVariance(std::span<const FilmPixel> half, const std::vector<double>& perSample, float indirectShare) {
@@ -23,7 +27,7 @@ std::vector<double> relativeVariance(std::span<const FilmPixel> half, const std:
     radiance[i] = found + meanOf(p.indirect) * scale;
     const double ofFound = std::max(static_cast<double>(p.foundSquare) * scale - found * found, 0.0);
     const double ofAll = std::max(meanOf(p.square) * scale - radiance[i] * radiance[i], 0.0);
-    variance[i] = ofFound + static_cast<double>(indirectShare) * std::max(ofAll - ofFound, 0.0);
+    variance[i] = ofFound + static_cast<double>(seesOneSurface(p) ? indirectShare : 1) * std::max(ofAll - ofFound, 0.0);
   }
   const double mean = std::accumulate(radiance.begin(), radiance.end(), 0.0) / static_cast<double>(half.size());
   for (std::size_t i = 0; i < half.size(); ++i)

@@ -37,7 +37,8 @@ class SamplePlan {
   /// True before passes whose number is a power of two, from the fourth on.
   [[nodiscard]] static bool learnsBefore(int pass);
   /// Shares follow the film's `halves` (even, then odd passes) from now on: the root of the relative variance of emitted,
-  /// direct and caustic light, and of `indirectShare` of that of indirect light, over 3 x 3 pixels; a part is even.
+  /// direct and caustic light, and of `indirectShare` of that of indirect light (the whole on edges, where it is shared
+  /// with few pixels), over 3 x 3 pixels; a part is even.
   void learn(std::span<const FilmPixel> halves, std::uint64_t evenSamples, std::uint64_t oddSamples, float indirectShare);
   [[nodiscard]] bool hasLearned() const { return !shares_[0].empty(); }
 

@@ -106,6 +106,22 @@ TEST(SamplePlan, TakesNoisyIndirectLightAtItsShare) {
   EXPECT_LT(far(small), 0.6);
 }
 
+// All gather alike, but those on the left see several surfaces.
+TEST(SamplePlan, TakesIndirectLightWholeOnEdges) {
+  std::vector<FilmPixel> film = filmOf(isNowhere, isNowhere);
+  for (std::size_t i = 0; i < film.size(); ++i) {
+    film[i].square = vec3(3 * static_cast<float>(kSamples));
+    film[i].gathers = static_cast<float>(kSamples);
+    film[i].normal = vec3(0, 0, film[i].gathers * (isOnTheLeft(i % kPixels) ? 0.7f : 1.0f));
+  }
+  SamplePlan plan(kWidth, kPixels);
+  plan.learn(film, kSamples, kSamples, 1.0f / 16);
+  const auto paths = pathsOf(plan.deal(4, 64, 0, kPixels));
+  EXPECT_GT(paths[5 * kWidth], 2 * paths[5 * kWidth + 12]);
+  plan.learn(film, kSamples, kSamples, 1);
+  for (const uint each : pathsOf(plan.deal(4, 64, 0, kPixels))) EXPECT_NEAR(each, 64, 1);
+}
+
 TEST(SamplePlan, GoesOnAfterAPause) {
   SamplePlan plan(kWidth, kPixels), again(kWidth, kPixels), smaller(kWidth, kPixels / 2);
   EXPECT_TRUE(again.restore(plan.save()));
