@@ -19,11 +19,13 @@ double meanOf(const vec3& v) { return (static_cast<double>(v.x) + static_cast<do
 bool seesOneSurface(const FilmPixel& p) { return glm::length(p.normal) >= kPurity * p.gathers; }
 
 /// Variance of a path's light relative to the squared radiance of its pixel and a hundredth of the image's.
-std::vector<double> relativeVariance(std::span<const FilmPixel> half, const std::vector<double>& perSample, float indirectShare) {
+/// `samplesOf`: a pixel's paths in the half.
+template <class SamplesOf>
+std::vector<double> relativeVariance(std::span<const FilmPixel> half, const SamplesOf& samplesOf, float indirectShare) {
   std::vector<double> radiance(half.size()), variance(half.size());
   for (std::size_t i = 0; i < half.size(); ++i) {
     const FilmPixel& p = half[i];
-    const double scale = perSample[i], found = meanOf(p.direct + p.caustic) * scale;
+    const double scale = 1 / static_cast<double>(samplesOf(i)), found = meanOf(p.direct + p.caustic) * scale;
     radiance[i] = found + meanOf(p.indirect) * scale;
     const double ofFound = std::max(static_cast<double>(p.foundSquare) * scale - found * found, 0.0);
     const double ofAll = std::max(meanOf(p.square) * scale - radiance[i] * radiance[i], 0.0);
@@ -71,13 +73,10 @@ bool SamplePlan::learnsBefore(int pass) { return pass >= kFirstLearning && std::
 
 void SamplePlan::learn(std::span<const FilmPixel> halves, std::uint64_t evenSamples, std::uint64_t oddSamples, float indirectShare) {
   const SampleCounts counts = this->counts(evenSamples, oddSamples);
-  std::vector<double> perEven(pixels_), perOdd(pixels_);
-  for (std::size_t i = 0; i < pixels_; ++i) {
-    perEven[i] = 1 / static_cast<double>(counts.even(i));
-    perOdd[i] = 1 / static_cast<double>(counts.odd(i));
-  }
-  shares_[0] = sharesOf(smooth(relativeVariance(halves.last(pixels_), perOdd, indirectShare), width_));
-  shares_[1] = sharesOf(smooth(relativeVariance(halves.first(pixels_), perEven, indirectShare), width_));
+  const auto even = [&](std::size_t i) { return counts.even(i); };
+  const auto odd = [&](std::size_t i) { return counts.odd(i); };
+  shares_[0] = sharesOf(smooth(relativeVariance(halves.last(pixels_), odd, indirectShare), width_));
+  shares_[1] = sharesOf(smooth(relativeVariance(halves.first(pixels_), even, indirectShare), width_));
   for (std::vector<std::int32_t>& extra : extra_) extra.resize(pixels_);
 }
 
