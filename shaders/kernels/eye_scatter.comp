@@ -52,14 +52,14 @@ void main() {
     if (!isRest) return;
   }
   const bool hasRead = reads && !kReadsCells;
+  bool takesLight = isSpecular && kEyeMode == kEyeImage && (path.flags & kPathScattered) == 0u;
   if (isRough && kEyeMode != kEyeImportons && (!isRest || hasRoughLobe(b))) {
     if (hasRead || (kHasCausticMap && kEyeMode == kEyeImage)) askForLookup(slot, s, ray, hit, path, hasRead, isRest, radius);
     // At its last vertex a path in the path tracer takes no more light: that would be an event too many.
     const bool isLast = kEyeMode == kEyePath && (path.flags & kPathDepthMask) >= params.maxDepth;
-    if (!hasRead && !isLast) sampleDirectLight(slot, path, s, b, frame, ray);
-  } else if (isSpecular && kEyeMode == kEyeImage && (path.flags & kPathScattered) == 0u) {
-    sampleDirectLight(slot, path, s, b, frame, ray);
+    takesLight = !hasRead && !isLast;
   }
+  if (takesLight) sampleDirectLight(slot, path, s, b, frame, ray);
   Ray next;
   const bool goesOn = scatterEye(slot, path, s, b, frame, ray, hasRead, next);
   paths[slot] = path;

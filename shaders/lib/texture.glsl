@@ -5,15 +5,11 @@
 #define IMPORTON_LIB_TEXTURE_GLSL
 
 int wrapTexel(int i, int size, uint mode) {
-  if (mode == kWrapClamp) return clamp(i, 0, size - 1);
-  if (mode == kWrapRepeat) {
-    const int m = i % size;
-    return m < 0 ? m + size : m;
-  }
-  const int period = 2 * size;
+  const int period = mode == kWrapRepeat ? size : 2 * size;
   int m = i % period;
   m = m < 0 ? m + period : m;
-  return m < size ? m : period - 1 - m;
+  m = m < size ? m : period - 1 - m;
+  return mode == kWrapClamp ? clamp(i, 0, size - 1) : m;
 }
 
 /// IEC 61966-2-1.
@@ -39,14 +35,11 @@ vec4 sampleTexture(uint index, vec2 uv0, vec2 uv1) {
   // Whole turns of a repeating texture cancel; what remains is small enough for int.
   const vec2 p = clamp(vec2(dot(rowA.xyz, uv), dot(vec3(rowA.w, rowB.xy), uv)), vec2(-1e5), vec2(1e5)) * size;
   const bool isSrgb = mode.z != 0u;
-  if (mode.y != 0u) {
-    const ivec2 i = ivec2(floor(p));
-    const int x = wrapTexel(i.x, int(head.y), head.w), y = wrapTexel(i.y, int(head.z), mode.x);
-    return decodeTexel(imageTexel(head.x + uint(y) * head.y + uint(x)), isSrgb);
-  }
-  const vec2 q = p - 0.5;
+  // The nearest texel is the first of four that the others add nothing to.
+  const bool isNearest = mode.y != 0u;
+  const vec2 q = isNearest ? p : p - 0.5;
   const ivec2 i = ivec2(floor(q));
-  const vec2 f = q - floor(q);
+  const vec2 f = isNearest ? vec2(0.0) : q - floor(q);
   const int x0 = wrapTexel(i.x, int(head.y), head.w), x1 = wrapTexel(i.x + 1, int(head.y), head.w);
   const uint y0 = head.x + uint(wrapTexel(i.y, int(head.z), mode.x)) * head.y;
   const uint y1 = head.x + uint(wrapTexel(i.y + 1, int(head.z), mode.x)) * head.y;
