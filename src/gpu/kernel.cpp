@@ -141,7 +141,7 @@ Kernel::Kernel(Context& context, std::string label, std::span<const std::uint32_
                std::span<const Specialization> specialization)
     : impl_(std::make_unique<Impl>()), label_(std::move(label)) {
   Reflection module = reflect(spirv);
-  const Constants constants = constantsOf(module, specialization);
+  Constants constants = constantsOf(module, specialization);
   checkLimits(context.limits(), label_, module, constants.workgroupSize);
   impl_->device = context.impl().device;
   Device& device = *impl_->device;
@@ -151,8 +151,16 @@ Kernel::Kernel(Context& context, std::string label, std::span<const std::uint32_
   impl_->bindings = std::move(module.bindings);
   impl_->pipelineLayout =
       createPipelineLayout(device, label_, impl_->setLayout.get(), impl_->pushConstantBytes);
-  const ShaderModuleHandle shader = createModule(device, label_, spirv);
-  impl_->pipeline = createPipeline(device, label_, shader.get(), impl_->pipelineLayout.get(), constants.values);
+  impl_->spirv = spirv;
+  impl_->constants = std::move(constants.values);
+}
+
+void Kernel::compile() const {
+  std::call_once(impl_->compiles, [this] {
+    Device& device = *impl_->device;
+    const ShaderModuleHandle shader = createModule(device, label_, impl_->spirv);
+    impl_->pipeline = createPipeline(device, label_, shader.get(), impl_->pipelineLayout.get(), impl_->constants);
+  });
 }
 
 Kernel::Kernel() = default;

@@ -30,9 +30,9 @@ struct Specialization {
 };
 
 /// Bindings, push-constant size and texel kinds come from reflection of the module. Throws DeviceError.
-/// Constructing kernels from several threads at once is allowed: most drivers compile here. Lavapipe compiles
-/// at the first dispatch, whose time then holds the compilation unless the driver finds the code in its cache
-/// on disk.
+/// The driver is given the module, which must live as long as the kernel, when the kernel is first dispatched, or before
+/// by compile(). Lavapipe makes machine code at the first dispatch only, whose time then holds that unless the driver
+/// finds the code in its cache on disk.
 class Kernel {
  public:
   Kernel();
@@ -43,6 +43,8 @@ class Kernel {
   Kernel& operator=(Kernel&&) noexcept;
 
   [[nodiscard]] const std::string& label() const { return label_; }
+  /// Compiles the kernel unless that is done; waits where another thread is at it. From any thread. Throws DeviceError.
+  void compile() const;
   /// Invocations per workgroup along x after specialization.
   [[nodiscard]] std::uint32_t workgroupSize() const;
 

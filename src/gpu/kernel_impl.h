@@ -1,6 +1,8 @@
 /// What a Kernel owns.
 #pragma once
 #include <memory>
+#include <mutex>
+#include <span>
 #include <vector>
 
 #include "gpu/device.h"
@@ -17,7 +19,10 @@ struct Kernel::Impl {
   std::uint32_t workgroupSize = 1;
   SetLayoutHandle setLayout;
   PipelineLayoutHandle pipelineLayout;
-  PipelineHandle pipeline;
+  std::span<const std::uint32_t> spirv;
+  std::vector<Specialization> constants;
+  std::once_flag compiles;
+  PipelineHandle pipeline;  // null until compiled
 };
 
 [[nodiscard]] VkDescriptorType descriptorType(BindingKind kind);

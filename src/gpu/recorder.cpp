@@ -78,6 +78,7 @@ struct Recorder::Impl {
                              std::to_string(kernel.impl().pushConstantBytes) +
                              " bytes of push constants, not " + std::to_string(pushConstants.size()));
     }
+    kernel.compile();
     beginCommand();
     bind(kernel, descriptors.bind(kernel, bindings), pushConstants);
   }

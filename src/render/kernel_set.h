@@ -21,7 +21,11 @@ struct KernelSet {
   gpu::Kernel cellFind, cellClaim, cellSettle, cellAdd, cellClear;
 };
 
-/// Compiles what `features` and the job's integrator call for, on as many threads as the job has.
+/// Those that `features` and the job's integrator may call for; each is compiled when it is first used.
 [[nodiscard]] KernelSet makeKernels(gpu::Context& context, const FeatureSet& features, const RenderJob& job);
+
+/// Compiles those that the job surely calls for, in the order of use, on as many threads as the job has. Meant to run
+/// beside what uses them, which waits for no more than its own. Throws DeviceError.
+void compileAhead(const KernelSet& set, const FeatureSet& features, const RenderJob& job);
 
 }  // namespace importon

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <future>
 
 #include "accel/bvh.h"
 #include "base/error.h"
@@ -80,6 +79,7 @@ void RenderSession::loadDevice() {
   const Clock::time_point start = Clock::now();
   context_ = std::make_unique<gpu::Context>(gpu::ContextOptions{job_.device, job_.validation});
   kernels_ = makeKernels(*context_, features_, job_);
+  compilation_ = std::async(std::launch::async, [this] { compileAhead(kernels_, features_, job_); });
   stats_.seconds.device = secondsSince(start);
 }
 

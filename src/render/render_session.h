@@ -1,6 +1,7 @@
 /// A render in progress: device, scene, maps and film, with the named phases that renderer.cpp runs.
 #pragma once
 #include <chrono>
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -134,6 +135,7 @@ class RenderSession {
   FeatureSet features_;
   std::unique_ptr<gpu::Context> context_;
   KernelSet kernels_;
+  std::future<void> compilation_;  // of kernels, ahead of their use
   DeviceScene deviceScene_;
   PassPlan plan_;
   PassSize now_;  // of the pass at hand
