@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 
 #include "base/parallel.h"
 
@@ -16,79 +15,112 @@ constexpr float kLikeNormal = 0.9f;
 constexpr float kPurity = 0.98f;   // length of the mean normal below which a pixel sees several surfaces
 constexpr float kLikeMixture = 0.15f;  // distance of mean normals below which two such pixels see them alike
 
-/// What the filter knows of a pixel.
-struct Guide {
-  vec3 position{0};
-  vec3 normal{0};       // of unit length if pure, else the mean
-  bool hasGathers = false;
-  bool isPure = false;  // all its gathers lie on one smooth surface
-};
+// Loops over pixels in a row are compiled for wider vectors too, of which the device that runs them takes its widest.
+// Products are not fused with sums, so that the bits are the same.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define IMPORTON_VECTORS __attribute__((target_clones("avx2", "default")))
+#else
+#define IMPORTON_VECTORS
+#endif
 
-/// Means over a pixel's paths.
-struct Gathered {
-  vec3 indirect, modulation;
-};
+using Plane = std::vector<float>;  // a number for each pixel, row by row
 
-struct Halves {
-  std::vector<Gathered> even, odd;
-  int width, height;
-  std::vector<Guide> guides;
-};
+/// Whether a pixel has gathers to share, and with what others: those on one smooth surface, or on an edge.
+constexpr float kSharesNothing = 0, kSharesSurface = 1, kSharesMixture = 2;
 
-Gathered meanOf(const FilmPixel& sums, float samples) { return {sums.indirect / samples, sums.modulation / samples}; }
+/// What tells pixels apart: position, and normal, which is of unit length on one surface, else the mean; sharing.
+using Guides = std::array<Plane, 7>;
+constexpr std::size_t kPosition = 0, kNormal = 3, kSharing = 6;
 
-Guide makeGuide(const FilmPixel& a, const FilmPixel& b) {
-  Guide g;
-  const float gathers = a.gathers + b.gathers;
-  if (a.gathers < 1 || b.gathers < 1) return g;
-  g.position = (a.position + b.position) / gathers;
-  const vec3 normal = (a.normal + b.normal) / gathers;
-  const float length = glm::length(normal);
-  g.hasGathers = true;
-  g.isPure = length > kPurity;
-  g.normal = g.isPure ? normal / length : normal;
-  return g;
+/// Of the even half and of the odd one: indirect light, and modulation.
+using Light = std::array<Plane, 12>;
+constexpr std::size_t kEven = 0, kOdd = 6, kModulation = 3;
+
+template <std::size_t N>
+std::array<Plane, N> planesOf(std::size_t pixels) {
+  std::array<Plane, N> planes;
+  planes.fill(Plane(pixels));
+  return planes;
 }
 
-/// True if q's gathers may stand for p's: like normals, and each in the other's plane up to a tenth of the distance.
-/// Pixels on an edge go with others that see both sides in like shares.
-bool isLike(const Guide& p, const Guide& q) {
-  if (!q.hasGathers || p.isPure != q.isPure) return false;
-  if (!p.isPure) return glm::distance(p.normal, q.normal) < kLikeMixture;
-  if (glm::dot(p.normal, q.normal) < kLikeNormal) return false;
-  const vec3 offset = q.position - p.position;
-  const float off = std::max(std::abs(glm::dot(offset, p.normal)), std::abs(glm::dot(offset, q.normal)));
-  return off * off <= 0.01f * glm::dot(offset, offset);
+template <std::size_t N>
+vec3 read(const std::array<Plane, N>& planes, std::size_t first, std::size_t pixel) {
+  return {planes[first][pixel], planes[first + 1][pixel], planes[first + 2][pixel]};
+}
+
+template <std::size_t N>
+void write(std::array<Plane, N>& planes, std::size_t first, std::size_t pixel, vec3 v) {
+  for (int c = 0; c < 3; ++c) planes[first + static_cast<std::size_t>(c)][pixel] = v[c];
+}
+
+/// Rows of planes from a pixel on.
+template <std::size_t N, class Planes>
+auto rowsAt(Planes& planes, std::size_t pixel) {
+  std::array<decltype(planes[0].data()), N> rows;
+  for (std::size_t k = 0; k < N; ++k) rows[k] = planes[k].data() + pixel;
+  return rows;
+}
+
+using GuideRows = std::array<const float*, 7>;
+
+/// 1 where the gathers of q may stand for those of p, else 0: like normals, and each in the other's plane up to a tenth
+/// of the distance. Pixels on an edge go with others that see both sides in like shares.
+inline float likeness(const GuideRows& p, const GuideRows& q, int x) {
+  const float px = p[3][x], py = p[4][x], pz = p[5][x], qx = q[3][x], qy = q[4][x], qz = q[5][x];
+  const float dx = q[0][x] - p[0][x], dy = q[1][x] - p[1][x], dz = q[2][x] - p[2][x];
+  const float offP = dx * px + dy * py + dz * pz, offQ = dx * qx + dy * qy + dz * qz;
+  const float off = std::max(offP * offP, offQ * offQ), square = dx * dx + dy * dy + dz * dz;
+  const float cosine = px * qx + py * qy + pz * qz;
+  const float apart = (px - qx) * (px - qx) + (py - qy) * (py - qy) + (pz - qz) * (pz - qz);
+  const float sharing = p[kSharing][x];
+  const bool onSurface = (sharing == kSharesSurface) & (cosine >= kLikeNormal) & (off <= 0.01f * square);
+  const bool onEdge = (sharing == kSharesMixture) & (apart < kLikeMixture * kLikeMixture);
+  return (sharing == q[kSharing][x]) & (onSurface | onEdge) ? 1.0f : 0.0f;
+}
+
+/// Adds to the sums of the `count` pixels from p on the light of those from q on, where they are alike.
+IMPORTON_VECTORS void addRow(const GuideRows& p, const GuideRows& q, const std::array<const float*, 12>& light, int count,
+                             const std::array<float*, 12>& sums) {
+  constexpr int kChunk = 256;
+  std::array<float, kChunk> weights;
+  for (int begin = 0; begin < count; begin += kChunk) {
+    const int end = std::min(begin + kChunk, count);
+    float* w = weights.data();
+    for (int x = begin; x < end; ++x) w[x - begin] = likeness(p, q, x);
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+      float* __restrict to = sums[k] + begin;
+      const float* __restrict from = light[k] + begin;
+      for (int x = 0; x < end - begin; ++x) to[x] += w[x] * from[x];
+    }
+  }
+}
+
+struct Offset {
+  int dx, dy;
+};
+
+/// Of the pixels that a disc of `radius` has more than one of `inner`, row by row.
+std::vector<Offset> ringOf(int inner, int radius) {
+  std::vector<Offset> ring;
+  for (int dy = -radius; dy <= radius; ++dy)
+    for (int dx = -radius; dx <= radius; ++dx) {
+      const int square = dx * dx + dy * dy;
+      if (square <= radius * radius && (inner < 0 || square > inner * inner)) ring.push_back({dx, dy});
+    }
+  return ring;
 }
 
 struct Estimate {
-  vec3 even{0}, odd{0};  // irradiance of each half: indirect light over its modulation
+  vec3 even, odd;  // irradiance of each half: indirect light over its modulation
 };
 
 vec3 ratio(vec3 a, vec3 b) {
   return {b.x > 0 ? a.x / b.x : 0.0f, b.y > 0 ? a.y / b.y : 0.0f, b.z > 0 ? a.z / b.z : 0.0f};
 }
 
-/// Irradiance of both halves over the disc of `radius` pixels around pixel (x, y).
-Estimate average(const Halves& h, int x, int y, int radius) {
-  const std::size_t centre = static_cast<std::size_t>(y) * static_cast<std::size_t>(h.width) + static_cast<std::size_t>(x);
-  Estimate sum;
-  vec3 evenModulation(0), oddModulation(0);
-  const auto add = [&](std::size_t i) {
-    sum.even += h.even[i].indirect;
-    sum.odd += h.odd[i].indirect;
-    evenModulation += h.even[i].modulation;
-    oddModulation += h.odd[i].modulation;
-  };
-  for (int dy = -radius; dy <= radius; ++dy) {
-    for (int dx = -radius; dx <= radius; ++dx) {
-      const int qx = x + dx, qy = y + dy;
-      if (dx * dx + dy * dy > radius * radius || qx < 0 || qy < 0 || qx >= h.width || qy >= h.height) continue;
-      const std::size_t i = static_cast<std::size_t>(qy) * static_cast<std::size_t>(h.width) + static_cast<std::size_t>(qx);
-      if (i == centre || isLike(h.guides[centre], h.guides[i])) add(i);
-    }
-  }
-  return {ratio(sum.even, evenModulation), ratio(sum.odd, oddModulation)};
+Estimate estimateOf(const Light& light, std::size_t i) {
+  return {ratio(read(light, kEven, i), read(light, kEven + kModulation, i)),
+          ratio(read(light, kOdd, i), read(light, kOdd + kModulation, i))};
 }
 
 /// How badly each half's estimate predicts the other half's own irradiance. Bounded, so that one very bright sample
@@ -100,9 +132,9 @@ float residual(const Estimate& estimate, const Estimate& own) {
 }
 
 /// Means of `values` over windows of (2 kWindow + 1)² pixels, row sums first.
-std::vector<float> blur(const std::vector<float>& values, int width, int height, int threads) {
+Plane blur(const Plane& values, int width, int height, int threads) {
   const auto at = [width](int x, int y) { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x); };
-  std::vector<float> rows(values.size()), out(values.size());
+  Plane rows(values.size()), out(values.size());
   parallelFor(static_cast<std::size_t>(height), 16, threads, [&](std::size_t begin, std::size_t end) {
     for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
       for (int x = 0; x < width; ++x)
@@ -116,51 +148,96 @@ std::vector<float> blur(const std::vector<float>& values, int width, int height,
   return out;
 }
 
-Halves makeHalves(std::span<const FilmPixel> film, int width, const SampleCounts& counts) {
-  const std::size_t pixels = film.size() / 2;
-  Halves h{{}, {}, width, static_cast<int>(pixels) / width, {}};
-  for (std::size_t i = 0; i < pixels; ++i) {
-    h.even.push_back(meanOf(film[i], counts.even(i)));
-    h.odd.push_back(meanOf(film[pixels + i], counts.odd(i)));
-    h.guides.push_back(makeGuide(film[i], film[pixels + i]));
+/// A film to filter.
+struct Halves {
+  int width, height;
+  Guides guides;
+  Light light;  // means over a pixel's paths
+
+  [[nodiscard]] std::size_t at(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x); }
+  /// Whether a pixel shares its light over discs of a radius.
+  [[nodiscard]] bool isShared(std::size_t i, int radius) const {
+    const float sharing = guides[kSharing][i];
+    return sharing == kSharesSurface || (sharing == kSharesMixture && radius <= kEdgeRadius);
   }
+};
+
+void readGuide(Guides& guides, std::size_t i, const FilmPixel& a, const FilmPixel& b) {
+  if (a.gathers < 1 || b.gathers < 1) return;
+  const float gathers = a.gathers + b.gathers;
+  const vec3 normal = (a.normal + b.normal) / gathers;
+  const float length = glm::length(normal);
+  const bool isPure = length > kPurity;
+  write(guides, kPosition, i, (a.position + b.position) / gathers);
+  write(guides, kNormal, i, isPure ? normal / length : normal);
+  guides[kSharing][i] = isPure ? kSharesSurface : kSharesMixture;
+}
+
+Halves readHalves(std::span<const FilmPixel> film, int width, const SampleCounts& counts, int threads) {
+  const std::size_t pixels = film.size() / 2;
+  Halves h{width, static_cast<int>(pixels) / width, planesOf<7>(pixels), planesOf<12>(pixels)};
+  parallelFor(pixels, 1u << 12, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const FilmPixel &even = film[i], &odd = film[pixels + i];
+      readGuide(h.guides, i, even, odd);
+      write(h.light, kEven, i, even.indirect / counts.even(i));
+      write(h.light, kEven + kModulation, i, even.modulation / counts.even(i));
+      write(h.light, kOdd, i, odd.indirect / counts.odd(i));
+      write(h.light, kOdd + kModulation, i, odd.modulation / counts.odd(i));
+    }
+  });
   return h;
+}
+
+/// Adds to the sums of row y the light of the pixels at an offset.
+void addOffset(const Halves& h, int y, const Offset& o, Light& sums) {
+  const int first = std::max(0, -o.dx), count = h.width - std::abs(o.dx);
+  if (y + o.dy < 0 || y + o.dy >= h.height || count <= 0) return;
+  const std::size_t to = h.at(first, y), from = h.at(first + o.dx, y + o.dy);
+  addRow(rowsAt<7>(h.guides, to), rowsAt<7>(h.guides, from), rowsAt<12>(h.light, from), count, rowsAt<12>(sums, to));
+}
+
+/// Adds a ring to the sums over discs. Returns how badly those predict the other half, around each pixel.
+Plane growDiscs(const Halves& h, const std::vector<Offset>& ring, int radius, Light& sums, int threads) {
+  Plane residuals(sums[0].size());
+  parallelFor(static_cast<std::size_t>(h.height), 4, threads, [&](std::size_t begin, std::size_t end) {
+    for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
+      for (const Offset& o : ring) addOffset(h, y, o, sums);
+      for (std::size_t i = h.at(0, y); i < h.at(0, y + 1); ++i)
+        if (h.isShared(i, radius)) residuals[i] = residual(estimateOf(sums, i), estimateOf(h.light, i));
+    }
+  });
+  return blur(residuals, h.width, h.height, threads);
 }
 
 }  // namespace
 
 FilteredIndirect filterIndirect(std::span<const FilmPixel> film, int width, const SampleCounts& counts, int threads) {
   const std::size_t pixels = film.size() / 2;
-  const Halves h = makeHalves(film, width, counts);
+  const Halves h = readHalves(film, width, counts, threads);
   const float evenShare = counts.evenShare();
-  std::vector<float> best(pixels);
+  Light sums = planesOf<12>(pixels);
+  Plane best(pixels);
   FilteredIndirect result{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
+  int inner = -1;
   for (const int radius : kRadii) {
-    std::vector<Estimate> estimates(pixels);
-    std::vector<float> residuals(pixels);
-    parallelFor(static_cast<std::size_t>(h.height), 4, threads, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t y = begin; y < end; ++y)
-        for (int x = 0; x < width; ++x) {
-          const std::size_t i = y * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-          if (!h.guides[i].hasGathers || (radius > kEdgeRadius && !h.guides[i].isPure)) continue;
-          const Estimate own = average(h, x, static_cast<int>(y), 0);
-          estimates[i] = average(h, x, static_cast<int>(y), radius);
-          residuals[i] = residual(estimates[i], own);
+    const Plane around = growDiscs(h, ringOf(inner, radius), radius, sums, threads);
+    inner = radius;
+    parallelFor(pixels, 1u << 12, threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        if (radius == 0) {
+          result.even[i] = read(h.light, kEven, i);
+          result.odd[i] = read(h.light, kOdd, i);
+          best[i] = around[i];
+        } else if (h.isShared(i, radius) && around[i] < best[i]) {
+          best[i] = around[i];
+          const vec3 modulation = read(h.light, kEven + kModulation, i) * evenShare + read(h.light, kOdd + kModulation, i) * (1 - evenShare);
+          const Estimate estimate = estimateOf(sums, i);
+          result.even[i] = modulation * estimate.even;
+          result.odd[i] = modulation * estimate.odd;
         }
-    });
-    const std::vector<float> around = blur(residuals, width, h.height, threads);
-    for (std::size_t i = 0; i < pixels; ++i) {
-      if (radius == 0) {
-        best[i] = around[i];
-        result.even[i] = h.even[i].indirect;
-        result.odd[i] = h.odd[i].indirect;
-      } else if (h.guides[i].hasGathers && (radius <= kEdgeRadius || h.guides[i].isPure) && around[i] < best[i]) {
-        best[i] = around[i];
-        const vec3 modulation = h.even[i].modulation * evenShare + h.odd[i].modulation * (1 - evenShare);
-        result.even[i] = modulation * estimates[i].even;
-        result.odd[i] = modulation * estimates[i].odd;
       }
-    }
+    });
   }
   return result;
 }

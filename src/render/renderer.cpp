@@ -15,7 +15,7 @@ double secondsSince(Clock::time_point start) { return std::chrono::duration<doub
 
 /// A first guess of the seconds that resolving and writing the image takes.
 double guessFinish(const RenderJob& job, const RenderSession& session) {
-  constexpr double kFilterSeconds = 4e-6, kWriteSeconds = 4e-7;  // per pixel; per pixel and layer
+  constexpr double kFilterSeconds = 1.5e-6, kWriteSeconds = 4e-7;  // per pixel; per pixel and layer
   const double layers = 1 + static_cast<double>(job.aovs.size()) + (job.png.empty() ? 0 : 1);
   return static_cast<double>(session.pixels()) * (kWriteSeconds * layers + (job.filtersIndirect ? kFilterSeconds : 0));
 }
