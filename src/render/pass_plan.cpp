@@ -24,6 +24,8 @@ constexpr std::uint64_t kPathsAtOnce = 1u << 18;
 constexpr std::uint32_t kFewestAtOnce = 4;     // of a pixel's paths, where a pass has so many
 constexpr std::uint64_t kBytesPerCell = 128;    // two sides, two halves
 constexpr uint kProgramFewest = 3;        // neighbours that the program takes for none
+constexpr double kUnhurried = 8;          // seconds; in less, passes and what is learned before them are smaller
+constexpr double kLeastInHaste = 1.0 / 8;
 constexpr int kNearestPhotons = 80;       // of a lookup by the nearest ones
 constexpr std::uint64_t kPhotonLevels = 12;  // at which a photon may stand for lookups of the nearest ones
 constexpr uint kImportonLevels = 21;        // grid levels at which an importon may stand
@@ -54,6 +56,13 @@ float largestQuotaRadius(const RenderJob& job, std::uint32_t photons, double quo
   constexpr double kProgramShare = 0.03;
   if (!job.hasProgramLimits) return std::numeric_limits<float>::max();
   return static_cast<float>(std::sqrt(quota * area / (kProgramShare * M_PI * std::max(photons, 1u))));
+}
+
+/// Share of what a render with time enough does in a pass and learns before the first one. With a checkpoint it does not
+/// depend on time, so that the run is the same wherever it stops.
+double shareInHaste(const RenderJob& job) {
+  if (!job.seconds || !job.checkpoint.empty() || !job.resume.empty()) return 1;
+  return std::clamp(*job.seconds / kUnhurried, kLeastInHaste, 1.0);
 }
 
 /// A power of two such that all flux that a map may hold stays below 2^62 units.
@@ -89,9 +98,10 @@ PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2
     return plan;
   }
   plan.workspace.hasDifferentials = job.importance == ImportanceChoice::differentials;
-  const auto photonsFor = [](std::uint64_t wanted) {
-    return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(wanted, 1u << 16, 1u << 20));
+  const auto hurried = [share = shareInHaste(job)](std::uint64_t wanted) {
+    return static_cast<std::uint32_t>(share * static_cast<double>(wanted));
   };
+  const auto photonsFor = [hurried](std::uint64_t wanted) { return hurried(std::clamp<std::uint64_t>(wanted, 1u << 16, 1u << 20)); };
   whole.photons = photonsFor(pixels);
   whole.causticPhotons = photonsFor(2 * pixels * whole.samples);  // a caustic is seen directly: its noise is the image's
   // Both maps share the photons asked for; a caustic map that no surface asks for must not change the image.
@@ -99,9 +109,9 @@ PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2
   if (job.photons) whole.photons = whole.causticPhotons = std::max(*job.photons / (hasTwoMaps ? 2 : 1), 1u);
   if (!features.needsCausticMap) whole.causticPhotons = 0;
   const std::uint64_t mostRecords = limits.maxStorageBufferRange / sizeof(MapPoint);
-  plan.batch = std::min({std::max(whole.photons, whole.causticPhotons), job.photonBatch.value_or(limits.isCpu ? 1u << 16 : 1u << 18),
+  plan.batch = std::min({std::max(whole.photons, whole.causticPhotons), job.photonBatch.value_or(hurried(limits.isCpu ? 1u << 16 : 1u << 18)),
                          static_cast<std::uint32_t>(std::max<std::uint64_t>(mostRecords / events, 1))});
-  plan.importons = job.importons.value_or(static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pixels, 1u << 14, 1u << 16)));
+  plan.importons = job.importons.value_or(hurried(std::clamp<std::uint64_t>(pixels, 1u << 14, 1u << 16)));
   plan.importons = std::min(plan.importons, static_cast<std::uint32_t>(std::max<std::uint64_t>(mostRecords / events, 1)));
   const std::uint64_t heapShare = job.memoryMiB ? *job.memoryMiB << 20 : limits.heapBytes / 4;
   const std::uint64_t byRange = limits.maxStorageBufferRange / 24;
