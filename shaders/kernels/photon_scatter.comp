@@ -39,9 +39,6 @@ void writeCell(uint at, Surface s, Hit hit, Bsdf b, vec3 direction, float cosIn)
   recordCells[at] = uvec2(cellSide(hit.triangle, vec2(hit.u, hit.v), s.isFront), floatBitsToUint(weight));
 }
 
-/// Beyond it the normals contradict each other; the rest would come as a few very bright photons.
-const float kMaxAdjoint = 4.0;
-
 /// Scatters the photon; false: absorbed. Throughput keeps its mean by Russian roulette.
 bool scatter(Surface s, Bsdf b, mat3 frame, vec3 direction, inout PathState path, out Ray ray) {
   const MapSettings map = mapOfPhotons();
@@ -57,10 +54,7 @@ bool scatter(Surface s, Bsdf b, mat3 frame, vec3 direction, inout PathState path
   const vec3 wi = frame * next.wi;
   ray = nextRay(s, wi, hash(index ^ hash(path.flags)));
   if (!isConsistent(s, wi, next.isTransmission)) return false;
-  // Shading normals: the adjoint's factor. [Veach 1997, eq. 5.19]
-  const float adjoint = abs(towardsLight.z * dot(wi, s.geometricNormal)) /
-                        max(abs(dot(direction, s.geometricNormal) * next.wi.z), 1e-20);
-  const vec3 weight = next.weight * min(adjoint, kMaxAdjoint);
+  const vec3 weight = next.weight * adjointFactor(s, direction, towardsLight.z, wi, next.wi.z);
   const float survival = min(1.0, maxComponent(weight * path.throughput) / max(maxComponent(path.throughput), 1e-38));
   if (!(choice.y < survival)) return false;
   const bool isSpecular = next.isDelta || isFrosted(b);

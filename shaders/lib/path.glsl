@@ -55,6 +55,17 @@ Ray nextRay(Surface s, vec3 direction, uint id) {
   return ray;
 }
 
+/// Beyond it the normals contradict each other; the rest would come as a few very bright photons.
+const float kMaxAdjoint = 4.0;
+
+/// Factor of a photon that scatters where shading and geometric normal differ [Veach 1997, eq. 5.19]: it travels along
+/// `direction` and leaves along `wi`; the cosines are those of the shading normal with where it came from and with wi.
+float adjointFactor(Surface s, vec3 direction, float cosCame, vec3 wi, float cosLeaves) {
+  const float adjoint = abs(cosCame * dot(wi, s.geometricNormal)) /
+                        max(abs(dot(direction, s.geometricNormal) * cosLeaves), 1e-20);
+  return min(adjoint, kMaxAdjoint);
+}
+
 /// True if a sampled direction lies on the side of the geometric surface that its lobe means.
 bool isConsistent(Surface s, vec3 direction, bool isTransmission) {
   return (dot(direction, s.geometricNormal) > 0.0) != isTransmission;
