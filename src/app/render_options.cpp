@@ -212,7 +212,7 @@ void addDensityOptions(CLI::App& app, RenderJob& job) {
                           "they meet\n(default: cells, unless another option is about photons)")
       ->group(group);
   app.add_option("--caustic-density", job.causticDensity,
-                 withDefault("required in the caustic map, photons per pixel footprint", job.causticDensity))
+                 withDefault("required in the caustic map, photons per pixel footprint; lookups\nread as many, 5 to 20", job.causticDensity))
       ->check(positive("photons"))
       ->type_name("M")
       ->group(group);

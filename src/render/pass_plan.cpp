@@ -14,6 +14,7 @@ struct LookupPhotons {
 // Photons of a lookup, M, and the fewest on average where the map is thin. What the camera sees directly must not be
 // noisy; gathers average many lookups, and a small radius loses less light at edges.
 constexpr LookupPhotons kCausticLookup{20, 8}, kGlobalLookup{8, 5};
+constexpr double kFewestRequired = 5;  // photons of a caustic lookup, where fewer are required per footprint
 constexpr double kFloorPhotons = 20;        // within the largest radius, at least
 constexpr int kQuotaPhotons = 8;            // Q
 constexpr int kSamplesPerPass = 4;          // camera paths per pixel that share one photon map
@@ -29,6 +30,14 @@ constexpr double kLeastInHaste = 1.0 / 8;
 constexpr int kNearestPhotons = 80;       // of a lookup by the nearest ones
 constexpr std::uint64_t kPhotonLevels = 12;  // at which a photon may stand for lookups of the nearest ones
 constexpr uint kImportonLevels = 21;        // grid levels at which an importon may stand
+
+/// A lookup of the caustic map never reaches beyond a pixel's footprint but where the map is thin: of fewer required
+/// photons it reads fewer.
+LookupPhotons causticLookup(const RenderJob& job) {
+  LookupPhotons lookup = kCausticLookup;
+  if (!job.lookupPhotons) lookup.required = std::clamp(job.causticDensity, kFewestRequired, lookup.required);
+  return lookup;
+}
 
 /// The program gives no place less than one photon per m².
 constexpr float kProgramDensityFloor = 1;
@@ -171,7 +180,7 @@ Parameters makeParameters(const RenderJob& job, const Scene& scene, const PassPl
   p.largestQuotaRadius = largestQuotaRadius(job, plan.whole.photons, p.quotaPhotons, surfaceArea(scene));
   p.densityScale = 1;
   p.importonFlux = 1;
-  p.causticMap = mapSettings(job, job.causticDensity, kRecordCaustic, longest, kCausticLookup, plan.whole.causticPhotons);
+  p.causticMap = mapSettings(job, job.causticDensity, kRecordCaustic, longest, causticLookup(job), plan.whole.causticPhotons);
   p.globalMap = mapSettings(job, job.globalDensity, kRecordGlobal, longest, kGlobalLookup, plan.whole.photons);
   return p;
 }

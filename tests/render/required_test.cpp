@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "render/features.h"
+#include "render/pass_plan.h"
 #include "render_helper.h"
 
 namespace importon::test {
@@ -72,6 +74,26 @@ TEST_F(Required, NumberOfPhotonsOfALookupIsChosen) {
   EXPECT_TRUE(isSane(rendered.image));
   EXPECT_GT(rendered.stats.photonsPilot, 2 * (job.photons.value() / 2)) << "no map was tried";
   EXPECT_EQ(rendered.stats.caustic.fluxHits, rendered.stats.caustic.fluxMap);
+}
+
+/// A lookup of the caustic map that reads M of M_r photons per pixel footprint covers M/M_r of the footprint.
+TEST(CausticLookup, CoversNoMoreThanAPixelsFootprint) {
+  const Scene scene = drownedCaustic();
+  RenderJob job = requiredJob();
+  const auto photonsOf = [&](double density) {
+    job.causticDensity = density;
+    const FeatureSet features = findFeatures(scene, job);
+    gpu::Limits limits;
+    limits.maxStorageBufferRange = limits.heapBytes = 1ull << 30;
+    const PassPlan plan = planPasses(job, features, {64, 64}, limits);
+    return makeParameters(job, scene, plan, {64, 64}).causticMap.lookupPhotons;
+  };
+  EXPECT_EQ(photonsOf(40), 20);
+  EXPECT_EQ(photonsOf(20), 20);
+  EXPECT_EQ(photonsOf(10), 10);
+  EXPECT_EQ(photonsOf(1), 5) << "too few to tell light from none";
+  job.lookupPhotons = 12;
+  EXPECT_EQ(photonsOf(5), 12);
 }
 
 }  // namespace
