@@ -11,7 +11,7 @@ constexpr int kCausticBins = 128, kGlobalBins = 16;  // of a guide, along both a
 constexpr double kLeastGain = 1.5;                   // learned, from which on global photons are guided
 constexpr std::uint32_t kEnoughSteps = 32;           // into which a pass's photons are cut to see when it is enough
 constexpr std::uint32_t kFewestInStep = 512;
-constexpr std::uint32_t kScatterImportons = 1u << 17;  // that teach which way to scatter
+constexpr std::uint32_t kScatterImportons = 1u << 17;  // that teach scattering, at most
 constexpr std::uint32_t kMostLessons = 64;             // batches of them, however small the batches are
 constexpr float kPassesInCells = 4;                  // in each half of the surface cells before they are cut anew
 
@@ -54,7 +54,10 @@ void RenderSession::trainScatter() {
     lesson.hitsPerPass = static_cast<float>(plan_.whole.photons) / static_cast<float>(photons);
   }
   scatterGuide_.emplace(*context_, parameters_, job_.guideWeight);
-  const auto importons = static_cast<std::uint32_t>(std::min<std::uint64_t>(kScatterImportons, std::uint64_t{kMostLessons} * plan_.batch));
+  const std::uint64_t batches = std::uint64_t{kMostLessons} * plan_.batch;
+  const std::uint64_t most = std::min<std::uint64_t>(kScatterImportons, std::uint64_t{kLearningPasses} * plan_.whole.photons);
+  const auto importons = static_cast<std::uint32_t>(std::min(most, batches));
+  stats_.photonsPilot += importons;
   for (; lesson.first < importons; lesson.first += lesson.count) {
     lesson.count = std::min(plan_.batch, importons - lesson.first);
     teachScatter(*stage_, importance_.global, *scatterGuide_, lesson);
