@@ -71,7 +71,7 @@ def error_of(stats):
 
 
 def mean_and_half(values):
-    """Mean, and half of its 95 % interval (None for one value)."""
+    """Mean, and half of its 95 % interval (None of one value)."""
     n = len(values)
     mean = sum(values) / n
     if n < 2:
@@ -88,8 +88,8 @@ def geometric(values):
 
 
 def number(value, digits=3):
-    """With thousands separated from 1,000 on, else so many digits."""
-    if abs(value) >= 1000:
+    """With thousands separated from 100 on, else so many digits."""
+    if abs(value) >= 100:
         return f"{value:,.0f}"
     return f"{value:.{digits}g}"
 
@@ -97,7 +97,7 @@ def number(value, digits=3):
 def with_spread(values, digits=3):
     """Mean ± half of its 95 % interval."""
     mean, half = mean_and_half(values)
-    return number(mean, digits) + ("" if half is None else f" ± {number(half, 2)}")
+    return number(mean, digits) + (f" ± {number(half, 2)}" if half else "")
 
 
 def with_interval(values):
