@@ -17,7 +17,7 @@ float importonImportance(uint i) { return texelFetch(importances, int(i)).x; }
 #include "lib/importance.glsl"
 
 GridFrame importonFrame() {
-  return GridFrame(params.gridOrigin, params.gridExtent, uint(textureSize(importonCells)) - 1u);
+  return GridFrame(params.gridOrigin, params.gridExtent, slotMaskOf(textureSize(importonCells)));
 }
 
 /// Γ in pixels/m² at a point; 0 where no importon is near.

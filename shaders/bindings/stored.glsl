@@ -13,7 +13,7 @@ uvec4 gridPoint(uint i) { return texelFetch(storedPoints, int(i)); }
 #include "lib/grid_search.glsl"
 
 GridFrame storedFrame() {
-  return GridFrame(params.gridOrigin, params.gridExtent, uint(textureSize(storedCells)) - 1u);
+  return GridFrame(params.gridOrigin, params.gridExtent, slotMaskOf(textureSize(storedCells)));
 }
 
 #endif

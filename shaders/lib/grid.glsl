@@ -16,6 +16,9 @@ struct GridFrame {
   uint slotMask;
 };
 
+/// Mask of a power of two slots, from the length of their texel buffer, which has some padding.
+uint slotMaskOf(int length) { return (1u << findMSB(length)) - 1u; }
+
 /// Level of a point of radius r: the finest with cells of at least 4/3 r.
 uint gridLevel(GridFrame frame, float radius) {
   const float cells = frame.extent / (1.3333334 * radius);

@@ -1,6 +1,7 @@
 #include "gpu/buffer.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <stdexcept>
 
@@ -57,6 +58,16 @@ void checkLimits(const Limits& limits, const std::string& name, std::uint64_t by
     refuse("maxTexelBufferElements", std::to_string(elements) + " texels",
            std::to_string(limits.maxTexelBufferElements), name);
   }
+}
+
+/// Bytes to give a texel buffer at the end. Mesa's CPU driver compiles a kernel anew for each pattern of texel buffers whose
+/// sizes are powers of two, and of those that have bits 8 to 15 of it zero, which it takes for a number of mip levels: none
+/// is, and none has.
+std::uint64_t paddingOf(std::uint64_t bytes) {
+  std::uint64_t padded = bytes;
+  if (((padded >> 8) & 255) == 0) padded += 256;
+  if (std::has_single_bit(padded)) padded += 16;
+  return padded - bytes;
 }
 
 BufferHandle createBuffer(Device& device, const std::string& name, std::uint64_t bytes, TexelFormat texels) {
@@ -132,9 +143,10 @@ Buffer::Buffer(Context& context, std::string name, std::uint64_t bytes, TexelFor
     : impl_(std::make_unique<Impl>()), name_(std::move(name)) {
   const std::uint64_t texelBytes = texelInfo(texels).bytes;
   bytes_ = std::max((bytes + texelBytes - 1) / texelBytes * texelBytes, texelBytes);
-  checkLimits(context.limits(), name_, bytes_, texels);
+  const std::uint64_t padded = texels == TexelFormat::none ? bytes_ : bytes_ + paddingOf(bytes_);
+  checkLimits(context.limits(), name_, padded, texels);
   impl_->device = context.impl().device;
-  impl_->buffer = createBuffer(*impl_->device, name_, bytes_, texels);
+  impl_->buffer = createBuffer(*impl_->device, name_, padded, texels);
   allocateMemory(*impl_, name_);
   if (texels != TexelFormat::none) impl_->view = createView(*impl_->device, name_, impl_->buffer.get(), texels);
 }
