@@ -1,6 +1,7 @@
 #include "render/kernel_set.h"
 
 #include "base/parallel.h"
+#include "fmt/format.h"
 #include "kernels/registry.h"
 #include "shared/features.h"
 #include "shared/render_data.h"
@@ -160,6 +161,21 @@ void compileAhead(const KernelSet& set, const FeatureSet& features, const Render
   parallelFor(entries.size(), 1, job.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) (set.*entries[i].kernel).compile();
   });
+}
+
+std::string describeKernels(const FeatureSet& features, const RenderJob& job) {
+  std::string text = fmt::format("workgroups of {}", job.workgroupSize);
+  const auto add = [&text](const std::vector<gpu::Specialization>& constants) {
+    for (const gpu::Specialization& constant : constants) text += fmt::format(" {}={}", constant.id, constant.value);
+  };
+  add(specializations(features));
+  const Lists lists = listAll(features, job);
+  for (const Entries* entries : {&lists.ahead, &lists.others})
+    for (const Entry& entry : *entries) {
+      text += fmt::format("; {}", entry.module);
+      add(entry.extra);
+    }
+  return text;
 }
 
 }  // namespace importon

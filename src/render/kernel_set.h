@@ -1,5 +1,7 @@
 /// All kernels of a render, specialised by the scene's features.
 #pragma once
+#include <string>
+
 #include "gpu/kernel.h"
 #include "render/feature_set.h"
 
@@ -27,5 +29,8 @@ struct KernelSet {
 /// Compiles those that the job surely calls for, in the order of use, on as many threads as the job has. Meant to run
 /// beside what uses them, which waits for no more than its own. Throws DeviceError.
 void compileAhead(const KernelSet& set, const FeatureSet& features, const RenderJob& job);
+
+/// The same for any two pairs for which makeKernels makes the same kernels.
+[[nodiscard]] std::string describeKernels(const FeatureSet& features, const RenderJob& job);
 
 }  // namespace importon

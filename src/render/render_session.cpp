@@ -1,6 +1,7 @@
 #include "render/render_session.h"
 
 #include <cmath>
+#include <future>
 #include <stdexcept>
 
 #include "accel/bvh.h"
@@ -44,43 +45,39 @@ Bvh buildSceneBvh(const Scene& scene, const RenderJob& job, Log& log, double& se
 
 }  // namespace
 
-RenderSession::RenderSession(const RenderJob& job, const Scene& scene, Log& log)
+RenderSession::RenderSession(const RenderJob& job, const Scene& scene, Log& log, const DeviceSource& deviceSource)
     : job_(job), scene_(scene), log_(log), control_(job.control) {
   size_ = chooseSize(chooseCamera(scene, job), job);
   samplePlan_ = SamplePlan(size_.x, pixels());
   features_ = findFeatures(scene, job);
   // The device and its kernels come up while the tree is built.
-  auto device = std::async(std::launch::async, [this] { loadDevice(); });
+  auto loading = std::async(std::launch::async, [&] {
+    const Clock::time_point start = Clock::now();
+    device_ = deviceSource(features_, job);
+    stats_.seconds.device = secondsSince(start);
+  });
   const Bvh bvh = buildSceneBvh(scene, job, log, stats_.seconds.bvh);
-  device.get();
+  loading.get();
   const Clock::time_point start = Clock::now();
-  deviceScene_ = uploadScene(*context_, scene, bvh);
+  deviceScene_ = uploadScene(device_->context, scene, bvh);
   surfaceArea_ = surfaceArea(scene);
-  plan_ = planPasses(job, features_, size_, context_->limits());
+  plan_ = planPasses(job, features_, size_, device_->context.limits());
   now_ = plan_.whole;
   parameters_ = makeParameters(job, scene, plan_, size_);
-  work_.emplace(*context_, plan_.workspace);
+  work_.emplace(device_->context, plan_.workspace);
   deviceScene_.bind(work_->table);
-  recorder_.emplace(*context_);
-  stage_.emplace(Stage{*context_, *recorder_, kernels_, *work_});
-  film_.emplace(*context_, static_cast<std::uint64_t>(size_.x) * static_cast<std::uint64_t>(size_.y), plan_.tilePixels);
-  importance_ = makeImportanceMaps(*context_, plan_.importons * (std::uint64_t{parameters_.maxDepth} + 1),
+  recorder_.emplace(device_->context);
+  stage_.emplace(Stage{device_->context, *recorder_, device_->kernels, *work_});
+  film_.emplace(device_->context, static_cast<std::uint64_t>(size_.x) * static_cast<std::uint64_t>(size_.y), plan_.tilePixels);
+  importance_ = makeImportanceMaps(device_->context, plan_.importons * (std::uint64_t{parameters_.maxDepth} + 1),
                                    plan_.workspace.hasDifferentials);
   if (hasMaps()) {
     if (!features_.readsCells || job.control == DensityControl::off)
-      globalMap_.emplace(*context_, MapKind::global, plan_.mapCapacity, plan_.workspace.records);
+      globalMap_.emplace(device_->context, MapKind::global, plan_.mapCapacity, plan_.workspace.records);
     if (features_.needsCausticMap)
-      causticMap_.emplace(*context_, MapKind::caustic, plan_.causticCapacity, plan_.workspace.records);
+      causticMap_.emplace(device_->context, MapKind::caustic, plan_.causticCapacity, plan_.workspace.records);
   }
   stats_.seconds.device += secondsSince(start);
-}
-
-void RenderSession::loadDevice() {
-  const Clock::time_point start = Clock::now();
-  context_ = std::make_unique<gpu::Context>(gpu::ContextOptions{job_.device, job_.validation});
-  kernels_ = makeKernels(*context_, features_, job_);
-  compilation_ = std::async(std::launch::async, [this] { compileAhead(kernels_, features_, job_); });
-  stats_.seconds.device = secondsSince(start);
 }
 
 void RenderSession::findImportance() {
@@ -228,7 +225,7 @@ void RenderSession::gatherImage(int pass) {
     };
     if (samplePlan_.hasLearned()) {
       const std::vector<uvec2> dealt = samplePlan_.deal(pass, now_.samples, tile.first, tile.count);
-      tile.plan = gpu::makeBuffer(*context_, "sample plan", std::span<const uvec2>(dealt), gpu::TexelFormat::uint2);
+      tile.plan = gpu::makeBuffer(device_->context, "sample plan", std::span<const uvec2>(dealt), gpu::TexelFormat::uint2);
       const uint paths = dealt.back().x, most = tile.count * plan_.samplesAtOnce;
       for (uint first = 0; first < paths; first += most) trace({first, std::min(most, paths - first), &tile.plan});
       continue;
@@ -309,7 +306,7 @@ void RenderSession::addAovs(Image& image, const FilmLayers& layers) {
   if (job_.aovs.empty()) return;
   std::vector<float> values(layers.total.size() * kAovFloats);
   for (const FilmTile& tile : film_->tiles()) {
-    const gpu::Buffer buffer(*context_, "AOVs", std::uint64_t{tile.count} * kAovFloats * sizeof(float));
+    const gpu::Buffer buffer(device_->context, "AOVs", std::uint64_t{tile.count} * kAovFloats * sizeof(float));
     traceAovs(*stage_, eyeMaps(), tile.first, tile.count, buffer);
     recorder_->submitAndWait();
     buffer.downloadBytes(std::as_writable_bytes(
@@ -333,9 +330,9 @@ std::vector<float> RenderSession::pointLayer(const std::string& name, std::span<
 }
 
 void RenderSession::finishStats(int passes) {
-  stats_.deviceName = context_->info().name;
-  stats_.deviceDriver = context_->info().driver;
-  stats_.deviceType = context_->info().type;
+  stats_.deviceName = device_->context.info().name;
+  stats_.deviceDriver = device_->context.info().driver;
+  stats_.deviceType = device_->context.info().type;
   stats_.triangles = scene_.triangles.size();
   stats_.lights = scene_.lights.size();
   for (const FeatureRow& row : describeFeatures(scene_, job_))
@@ -343,8 +340,8 @@ void RenderSession::finishStats(int passes) {
   stats_.width = size_.x;
   stats_.height = size_.y;
   stats_.passes = passes;
-  stats_.devicePeakBytes = context_->peakBytes();
-  for (const std::string& message : context_->takeValidationMessages()) log_.warn("validation", message);
+  stats_.devicePeakBytes = device_->context.peakBytes();
+  for (const std::string& message : device_->context.takeValidationMessages()) log_.warn("validation", message);
   for (const std::optional<PhotonMap>* map : {&globalMap_, &causticMap_})
     if (*map) stats_.photonMapBytes += (*map)->bytes();
   if (irradiance_) {

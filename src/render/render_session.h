@@ -1,7 +1,6 @@
 /// A render in progress: device, scene, maps and film, with the named phases that renderer.cpp runs.
 #pragma once
 #include <chrono>
-#include <future>
 #include <memory>
 #include <optional>
 
@@ -13,6 +12,7 @@
 #include "render/film.h"
 #include "render/irradiance_map.h"
 #include "render/light_share.h"
+#include "render/loaded_device.h"
 #include "render/pass_plan.h"
 #include "render/point_density.h"
 #include "render/renderer.h"
@@ -28,7 +28,7 @@ struct PassSums {
 
 class RenderSession {
  public:
-  RenderSession(const RenderJob& job, const Scene& scene, Log& log);
+  RenderSession(const RenderJob& job, const Scene& scene, Log& log, const DeviceSource& deviceSource = loadDevice);
 
   /// Importons, importance maps, required density.
   void findImportance();
@@ -68,7 +68,6 @@ class RenderSession {
   [[nodiscard]] std::vector<Lasting> lastingMemory();
   [[nodiscard]] std::uint64_t runFingerprint() const;
   [[nodiscard]] FilmLayers readFilm() const;
-  void loadDevice();
   void startPass(int pass);
   void setPhotons(MapSettings& map, std::uint32_t perPass, std::uint64_t before, std::uint64_t counted) const;
   void uploadParameters();
@@ -133,9 +132,7 @@ class RenderSession {
   RenderStats stats_;
   glm::ivec2 size_;
   FeatureSet features_;
-  std::unique_ptr<gpu::Context> context_;
-  KernelSet kernels_;
-  std::future<void> compilation_;  // of kernels, ahead of their use
+  std::shared_ptr<LoadedDevice> device_;
   DeviceScene deviceScene_;
   PassPlan plan_;
   PassSize now_;  // of the pass at hand

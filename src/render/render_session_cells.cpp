@@ -54,7 +54,7 @@ void RenderSession::cutCells(int generation) {
   // Room for all passes of the generation; units as fine as that allows, for the light of weak lamps beside strong ones.
   parameters_.irradianceUnits = parameters_.fluxScale / std::ldexp(1.0f, 3 * (generation + 1));
   irradiance_.reset();  // its memory is needed
-  irradiance_.emplace(*context_, cutSurfaces(scene_, density, plan_.mostCells, job_.threads), plan_.workspace.records,
+  irradiance_.emplace(device_->context, cutSurfaces(scene_, density, plan_.mostCells, job_.threads), plan_.workspace.records,
                       parameters_.irradianceUnits, firstPassOf(generation));
 }
 

@@ -21,7 +21,7 @@ std::vector<float> RenderSession::seeMap(MapKind kind) {
   const uint layer = kAovMapLight + (kind == MapKind::global ? 3 : 0);
   std::vector<float> seen;
   for (const FilmTile& tile : film_->tiles()) {
-    const gpu::Buffer buffer(*context_, "AOVs", std::uint64_t{tile.count} * kAovFloats * sizeof(float));
+    const gpu::Buffer buffer(device_->context, "AOVs", std::uint64_t{tile.count} * kAovFloats * sizeof(float));
     traceAovs(*stage_, maps, tile.first, tile.count, buffer);
     recorder_->submitAndWait();
     const auto values = buffer.download<float>(std::uint64_t{tile.count} * kAovFloats);

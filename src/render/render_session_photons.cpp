@@ -48,12 +48,12 @@ void RenderSession::trainScatter() {
   if (job_.guideWeight == GuideWeight::deficit) {
     const std::uint32_t photons = std::min(plan_.batch, plan_.whole.photons);
     tracePilot({MapKind::global, nullptr, true}, 0, photons);
-    sites.emplace(*context_, MapKind::global, importance_.global, parameters_);
+    sites.emplace(device_->context, MapKind::global, importance_.global, parameters_);
     sites->count(*stage_);
     lesson.sites = &*sites;
     lesson.hitsPerPass = static_cast<float>(plan_.whole.photons) / static_cast<float>(photons);
   }
-  scatterGuide_.emplace(*context_, parameters_, job_.guideWeight);
+  scatterGuide_.emplace(device_->context, parameters_, job_.guideWeight);
   const std::uint64_t batches = std::uint64_t{kMostLessons} * plan_.batch;
   const std::uint64_t most = std::min<std::uint64_t>(kScatterImportons, std::uint64_t{kLearningPasses} * plan_.whole.photons);
   const auto importons = static_cast<std::uint32_t>(std::min(most, batches));
@@ -71,7 +71,7 @@ void RenderSession::trainGuides() {
   if (job_.emission == EmissionChoice::power || plan_.whole.photons == 0) return;
   startPass(0);
   const auto train = [&](std::optional<EmissionGuide>& guide, MapKind kind, const ImportanceMap& importance, int bins) {
-    guide.emplace(*context_, scene_, kind, bins, job_.guideWeight);
+    guide.emplace(device_->context, scene_, kind, bins, job_.guideWeight);
     const std::uint32_t photons = std::min(plan_.batch, plan_.whole.photonsFor(kind));
     tracePilot(sourceOf(kind, false), 0, photons);
     if (job_.guideWeight == GuideWeight::deficit)
@@ -90,7 +90,7 @@ void RenderSession::findEnoughPhotons() {
   if (job_.shooting == PhotonsShot::all || plan_.whole.photons == 0) return;
   startPass(0);
   const auto find = [&](MapKind kind, const ImportanceMap& importance) {
-    const SiteHits sites(*context_, kind, importance, parameters_);
+    const SiteHits sites(device_->context, kind, importance, parameters_);
     ShootingRule rule;
     const float passes = kind == MapKind::global && features_.readsCells ? kPassesInCells : 1;
     const std::uint32_t most = plan_.whole.photonsFor(kind);
@@ -118,7 +118,7 @@ void RenderSession::countCausticHits() {
   gpu::BindingTable table = work_->table;
   importance_.caustic.bind(table);
   tracePilots(sourceOf(MapKind::caustic, true), now_.causticPhotons / weight, [&] {
-    overItems(*stage_, kernels_.hitCount, table, kCounterSelected, HitCountPush{false, weight});
+    overItems(*stage_, device_->kernels.hitCount, table, kCounterSelected, HitCountPush{false, weight});
   });
   done_.causticCounted = now_.causticPhotons;
 }
@@ -127,7 +127,7 @@ void RenderSession::expectDensity() {
   if (control_ != DensityControl::probability) return;
   startPass(0);
   const auto count = [&](std::optional<ExpectedDensity>& expected, MapKind kind, const ImportanceMap& importance) {
-    expected.emplace(*context_, kind, plan_.capacityFor(kind));
+    expected.emplace(device_->context, kind, plan_.capacityFor(kind));
     tracePilots(sourceOf(kind, true), now_.photonsFor(kind), [&] { expected->count(*stage_, importance); });
   };
   count(globalExpected_, MapKind::global, importance_.global);

@@ -36,7 +36,7 @@ void RenderSession::knowOtherLight() {
   const std::vector<MapPoint> sites = map.readPoints();
   for (std::size_t i = 0; i < required.size(); ++i)
     required[i] *= static_cast<float>(share.requiredShareAt(sites[i].position));
-  map.bound = gpu::makeBuffer(*context_, "required by other light", std::span<const float>(required), gpu::TexelFormat::float1);
+  map.bound = gpu::makeBuffer(device_->context, "required by other light", std::span<const float>(required), gpu::TexelFormat::float1);
 }
 
 }  // namespace importon

@@ -43,8 +43,8 @@ std::vector<RenderSession::Lasting> RenderSession::lastingMemory() {
 
 std::uint64_t RenderSession::runFingerprint() const {
   ContentHash hash;
-  hash.add(fmt::format("{} {} {} {}", imageFingerprint(job_, scene_), job_.seed, context_->info().name,
-                       context_->info().driver));
+  hash.add(fmt::format("{} {} {} {}", imageFingerprint(job_, scene_), job_.seed, device_->context.info().name,
+                       device_->context.info().driver));
   return hash.value();
 }
 

@@ -40,8 +40,9 @@ RenderProgress describeProgress(RenderSession& session, const StopRule& rule, in
 }  // namespace
 
 RenderResult render(const RenderJob& job, const Scene& scene, Log& log, const std::atomic<bool>& isInterrupted,
-                    const std::function<void(const RenderProgress&)>& progress, Clock::time_point start) {
-  RenderSession session(job, scene, log);
+                    const std::function<void(const RenderProgress&)>& progress, Clock::time_point start,
+                    const DeviceSource& deviceSource) {
+  RenderSession session(job, scene, log, deviceSource);
   Pause pause(job, session, log);
   if (session.hasMaps()) session.findImportance();
   StopRule rule(job, session.maxPasses(), guessFinish(job, session));

@@ -6,6 +6,7 @@
 
 #include "base/log.h"
 #include "io/image.h"
+#include "render/loaded_device.h"
 #include "render/render_job.h"
 #include "render/render_stats.h"
 #include "scene/scene.h"
@@ -30,10 +31,11 @@ struct RenderResult {
 
 /// Renders until the job's limits are reached or `isInterrupted` turns true (asked between passes); then returns
 /// the image so far. `start` is when the process started: the job's seconds count from there, without those spent in
-/// `progress`. Throws DeviceError.
+/// `progress`. `deviceSource` gives it a device with kernels. Throws DeviceError.
 [[nodiscard]] RenderResult render(const RenderJob& job, const Scene& scene, Log& log,
                                   const std::atomic<bool>& isInterrupted,
                                   const std::function<void(const RenderProgress&)>& progress,
-                                  std::chrono::steady_clock::time_point start);
+                                  std::chrono::steady_clock::time_point start,
+                                  const DeviceSource& deviceSource = loadDevice);
 
 }  // namespace importon

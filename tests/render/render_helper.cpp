@@ -34,7 +34,15 @@ std::string describe(const Moments& m) {
   return fmt::format("{:.6g} +- {:.2g} (n = {})", m.mean(), m.standardError(), m.count());
 }
 
+/// Renders of a test that call for the same kernels share them.
+DeviceCache& devices() {
+  static DeviceCache cache;
+  return cache;
+}
+
 }  // namespace
+
+void RenderTest::TearDownTestSuite() { devices().clear(); }
 
 void RenderTest::SetUp() {
   try {
@@ -62,7 +70,8 @@ Rendered renderScene(const RenderJob& job, const Scene& scene) {
   Log log(Log::Verbosity::quiet);
   const std::atomic<bool> isInterrupted = false;
   RenderResult result = render(
-      job, scene, log, isInterrupted, [](const RenderProgress&) {}, std::chrono::steady_clock::now());
+      job, scene, log, isInterrupted, [](const RenderProgress&) {}, std::chrono::steady_clock::now(),
+      [](const FeatureSet& features, const RenderJob& theJob) { return devices().find(features, theJob); });
   return {std::move(result.image), std::move(result.stats), log.warnings()};
 }
 

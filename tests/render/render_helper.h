@@ -23,6 +23,7 @@ inline constexpr double kSignificance = 1e-3;
 class RenderTest : public ::testing::Test {
  protected:
   void SetUp() override;
+  static void TearDownTestSuite();
 };
 
 struct Rendered {
