@@ -62,7 +62,10 @@ void collect(pid_t child, int out, int err, const RunOptions& options, Outcome& 
   while (isOutOpen || isErrOpen) {
     std::array<pollfd, 2> sources{pollfd{isOutOpen ? out : -1, POLLIN, 0},
                                   pollfd{isErrOpen ? err : -1, POLLIN, 0}};
-    poll(sources.data(), sources.size(), -1);
+    poll(sources.data(), sources.size(), options.onTick ? 1 : -1);
+    if (options.onTick) {
+      if (const int number = options.onTick(); number != 0) kill(child, number);
+    }
     if (sources[0].revents != 0) isOutOpen = readSome(out, outcome.out);
     if (sources[1].revents == 0) continue;
     isErrOpen = readSome(err, outcome.err);

@@ -23,6 +23,8 @@ struct RunOptions {
   bool hasTerminal = false;                             // stderr is a terminal
   /// Called with stderr so far, whenever it grows; returns a signal to send, 0: none.
   std::function<int(const std::string& err)> onErr = {};
+  /// Called every millisecond or so; returns a signal to send, 0: none.
+  std::function<int()> onTick = {};
   /// Sent so long after the start; 0: none.
   struct {
     int number = 0;
