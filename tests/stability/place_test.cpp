@@ -1,4 +1,5 @@
 // Where a scene stands, how it is turned and how it is cut into triangles must not matter.
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -71,6 +72,22 @@ TEST_F(Place, SlowNeedlesMakeAPlane) {
   const std::vector<double> expected = planeImage(scene, {0, 0, 0}, {0, 1, 0}, radiance);
   for (const Integrator integrator : {Integrator::path, Integrator::photon})
     EXPECT_TRUE(isImageOf(renderScene(makeJob(integrator, 4), scene).image, expected));
+}
+
+/// Boxes tell little of needles that lie diagonally: a ray meets a good part of them, more than lavapipe lets it.
+TEST_F(Place, SlowRaysAmongTooManyDiagonalNeedlesAreGivenUpWithACount) {
+  StabilityCase listed(60, "400,000 needles at 45 degrees to the axes", "a warning, with the number of rays given up");
+  SceneBuilder builder;
+  builder.quad(builder.material(diffuse(vec3(0.8f))), {-2, 0, 4}, {4, 0, 0}, {0, 0, -8}, 200'000, 1);
+  builder.pointLight({0, 1, 0}, vec3(2.0f));
+  builder.camera({0, 1.5, 0.01}, {0, 0, 0}, 0.8, 4, 4);
+  builder.transform(glm::rotate(glm::dmat4(1.0), glm::quarter_pi<double>(), glm::dvec3(0, 1, 0)));
+  const Rendered r = renderScene(makeJob(Integrator::path, 1), builder.finish());
+  EXPECT_TRUE(isSane(r.image));
+  const auto given = std::find_if(r.warnings.begin(), r.warnings.end(), [](const Warning& w) { return w.kind == "rays given up"; });
+  ASSERT_TRUE(given != r.warnings.end());
+  EXPECT_GT(std::stoul(given->message), 0u) << given->message;
+  listed.note(given->message, 0.99);
 }
 
 /// Every point of a glowing sphere lies over the horizon of the plane that it touches.
