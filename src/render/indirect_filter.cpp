@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <numeric>
 
 #include "base/parallel.h"
 
 namespace importon {
 namespace {
 
-constexpr std::array kRadii{0, 1, 2, 4, 8, 14};  // pixels
+constexpr std::array kRadii{0, 1, 2, 3, 4, 5, 6, 8, 10, 12, 15};  // pixels
 constexpr int kEdgeRadius = 4;                   // the largest for pixels that see an edge
-constexpr int kWindow = 8;                       // half the side of the window that chooses the radius, pixels
+constexpr int kGuessRadius = 4;                  // of the disc that tells how bright a pixel is about
+constexpr int kWindow = 5;                       // half the side of the window that chooses the radius, pixels
 constexpr float kLikeNormal = 0.9f;
 constexpr float kPurity = 0.98f;   // length of the mean normal below which a pixel sees several surfaces
 constexpr float kLikeMixture = 0.15f;  // distance of mean normals below which two such pixels see them alike
@@ -110,6 +113,8 @@ std::vector<Offset> ringOf(int inner, int radius) {
   return ring;
 }
 
+float mean(vec3 v) { return (v.x + v.y + v.z) / 3; }
+
 struct Estimate {
   vec3 even, odd;  // irradiance of each half: indirect light over its modulation
 };
@@ -150,9 +155,10 @@ Plane blur(const Plane& values, int width, int height, int threads) {
 
 /// A film to filter.
 struct Halves {
-  int width, height;
+  int width, height, threads;
   Guides guides;
   Light light;  // means over a pixel's paths
+  Plane found;  // emitted, direct and caustic light: mean over halves and channels
 
   [[nodiscard]] std::size_t at(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x); }
   /// Whether a pixel shares its light over discs of a radius.
@@ -175,7 +181,7 @@ void readGuide(Guides& guides, std::size_t i, const FilmPixel& a, const FilmPixe
 
 Halves readHalves(std::span<const FilmPixel> film, int width, const SampleCounts& counts, int threads) {
   const std::size_t pixels = film.size() / 2;
-  Halves h{width, static_cast<int>(pixels) / width, planesOf<7>(pixels), planesOf<12>(pixels)};
+  Halves h{width, static_cast<int>(pixels) / width, threads, planesOf<7>(pixels), planesOf<12>(pixels), Plane(pixels)};
   parallelFor(pixels, 1u << 12, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const FilmPixel &even = film[i], &odd = film[pixels + i];
@@ -184,6 +190,7 @@ Halves readHalves(std::span<const FilmPixel> film, int width, const SampleCounts
       write(h.light, kEven + kModulation, i, even.modulation / counts.even(i));
       write(h.light, kOdd, i, odd.indirect / counts.odd(i));
       write(h.light, kOdd + kModulation, i, odd.modulation / counts.odd(i));
+      h.found[i] = 0.5f * (mean(even.direct + even.caustic) / counts.even(i) + mean(odd.direct + odd.caustic) / counts.odd(i));
     }
   });
   return h;
@@ -197,17 +204,40 @@ void addOffset(const Halves& h, int y, const Offset& o, Light& sums) {
   addRow(rowsAt<7>(h.guides, to), rowsAt<7>(h.guides, from), rowsAt<12>(h.light, from), count, rowsAt<12>(sums, to));
 }
 
-/// Adds a ring to the sums over discs. Returns how badly those predict the other half, around each pixel.
-Plane growDiscs(const Halves& h, const std::vector<Offset>& ring, int radius, Light& sums, int threads) {
+/// Weights of squared errors of irradiance, as relMSE weighs those of radiance. For them each pixel's irradiance is taken
+/// to be that of a small disc.
+Plane weighErrors(const Halves& h) {
+  const std::vector<Offset> disc = ringOf(-1, kGuessRadius);
+  Plane weights(h.found.size()), image(h.found.size());
+  Light sums = planesOf<12>(h.found.size());
+  parallelFor(static_cast<std::size_t>(h.height), 4, h.threads, [&](std::size_t begin, std::size_t end) {
+    for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
+      for (const Offset& o : disc) addOffset(h, y, o, sums);
+      for (std::size_t i = h.at(0, y); i < h.at(0, y + 1); ++i) {
+        const Estimate irradiance = estimateOf(sums, i);
+        const float modulation = 0.5f * mean(read(h.light, kEven + kModulation, i) + read(h.light, kOdd + kModulation, i));
+        image[i] = h.found[i] + 0.5f * mean(irradiance.even + irradiance.odd) * modulation;
+        weights[i] = modulation * modulation;
+      }
+    }
+  });
+  const double whole = std::accumulate(image.begin(), image.end(), 0.0) / static_cast<double>(image.size());
+  const float least = std::max(static_cast<float>(0.01 * whole * whole), std::numeric_limits<float>::min());
+  for (std::size_t i = 0; i < weights.size(); ++i) weights[i] /= image[i] * image[i] + least;
+  return weights;
+}
+
+/// Adds a ring to the sums over discs. Returns how badly those predict the other half around each pixel.
+Plane growDiscs(const Halves& h, const std::vector<Offset>& ring, int radius, const Plane& weights, Light& sums) {
   Plane residuals(sums[0].size());
-  parallelFor(static_cast<std::size_t>(h.height), 4, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(static_cast<std::size_t>(h.height), 4, h.threads, [&](std::size_t begin, std::size_t end) {
     for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
       for (const Offset& o : ring) addOffset(h, y, o, sums);
       for (std::size_t i = h.at(0, y); i < h.at(0, y + 1); ++i)
-        if (h.isShared(i, radius)) residuals[i] = residual(estimateOf(sums, i), estimateOf(h.light, i));
+        if (h.isShared(i, radius)) residuals[i] = weights[i] * residual(estimateOf(sums, i), estimateOf(h.light, i));
     }
   });
-  return blur(residuals, h.width, h.height, threads);
+  return blur(residuals, h.width, h.height, h.threads);
 }
 
 }  // namespace
@@ -215,13 +245,14 @@ Plane growDiscs(const Halves& h, const std::vector<Offset>& ring, int radius, Li
 FilteredIndirect filterIndirect(std::span<const FilmPixel> film, int width, const SampleCounts& counts, int threads) {
   const std::size_t pixels = film.size() / 2;
   const Halves h = readHalves(film, width, counts, threads);
+  const Plane weights = weighErrors(h);
   const float evenShare = counts.evenShare();
   Light sums = planesOf<12>(pixels);
   Plane best(pixels);
   FilteredIndirect result{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
   int inner = -1;
   for (const int radius : kRadii) {
-    const Plane around = growDiscs(h, ringOf(inner, radius), radius, sums, threads);
+    const Plane around = growDiscs(h, ringOf(inner, radius), radius, weights, sums);
     inner = radius;
     parallelFor(pixels, 1u << 12, threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
