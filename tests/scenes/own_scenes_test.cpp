@@ -82,6 +82,7 @@ TEST_P(OwnScenes, HaveOnlyLambertianAndSmoothSpecularMaterials) {
 
 INSTANTIATE_TEST_SUITE_P(All, OwnScenes,
                          ::testing::Values(Expectation{"cornell_box", 36, 2, 0.192f, 16, 512, 512, true},
+                                           Expectation{"glass_ball", 40972, 2, 0.16f, 26, 512, 512, false},
                                            Expectation{"glass_caustic", 57658, 2, 0.0025f, 1750, 640, 480,
                                                        false},
                                            Expectation{"rooms", 96220, 24, 3.0f, 90, 640, 480, true},
