@@ -21,12 +21,12 @@ struct Seen {
 /// Both halves of a film of four paths per pixel, each of which gathers; irradiance with noise of relative size `noise`.
 std::vector<FilmPixel> filmOf(const std::function<Seen(int x, int y)>& seen, float noise) {
   std::mt19937 random(7);
-  std::normal_distribution<float> gauss(1, noise);
+  std::normal_distribution<float> gauss;
   std::vector<FilmPixel> film(2 * kPixels);
   for (std::size_t i = 0; i < film.size(); ++i) {
     const auto pixel = static_cast<int>(i % kPixels);
     const Seen s = seen(pixel % kWidth, pixel / kWidth);
-    film[i].indirect = vec3(4 * s.albedo * s.irradiance * gauss(random));
+    film[i].indirect = vec3(4 * s.albedo * s.irradiance * (1 + noise * gauss(random)));
     film[i].modulation = vec3(4 * s.albedo);
     film[i].position = 4.0f * s.position;
     film[i].normal = 4.0f * s.normal;
