@@ -69,6 +69,7 @@ TEST_F(KernelTest, MayBeMadeByManyThreads) {
     threads.emplace_back([&, i] {
       const Specialization count{1, i};
       kernels[i] = Kernel(context(), "constants", test_kernels::spirv("constants"), std::span(&count, 1));
+      kernels[i].compile();
     });
   }
   for (std::thread& thread : threads) thread.join();

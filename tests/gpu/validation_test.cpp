@@ -14,6 +14,7 @@ TEST_F(Validation, ReportsAFeatureThatWasNotEnabledAndForgetsItOnceTaken) {
   Context own({.validation = true});
   EXPECT_TRUE(own.takeValidationMessages().empty());
   const Kernel kernel(own, "needs int64", test_kernels::spirv("needs_int64"));
+  kernel.compile();
   const auto messages = own.takeValidationMessages();
   ASSERT_FALSE(messages.empty());
   EXPECT_NE(messages[0].find("Int64"), std::string::npos) << messages[0];
@@ -23,6 +24,7 @@ TEST_F(Validation, ReportsAFeatureThatWasNotEnabledAndForgetsItOnceTaken) {
 TEST_F(Validation, SaysNothingWhenItIsOff) {
   Context own({.validation = false});
   const Kernel kernel(own, "needs int64", test_kernels::spirv("needs_int64"));
+  kernel.compile();
   EXPECT_TRUE(own.takeValidationMessages().empty());
 }
 
