@@ -28,8 +28,8 @@ constexpr float kLikeMixture = 0.15f;  // distance of mean normals below which t
 
 using Plane = std::vector<float>;  // a number for each pixel, row by row
 
-/// Whether a pixel has gathers to share, and with what others: those on one smooth surface, or on an edge.
-constexpr float kSharesNothing = 0, kSharesSurface = 1, kSharesMixture = 2;
+/// With what others a pixel shares its gathers: those on one smooth surface, or on an edge. 0: it has none to share.
+constexpr float kSharesSurface = 1, kSharesMixture = 2;
 
 /// What tells pixels apart: position, and normal, which is of unit length on one surface, else the mean; sharing.
 using Guides = std::array<Plane, 7>;

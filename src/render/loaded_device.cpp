@@ -1,7 +1,5 @@
 #include "render/loaded_device.h"
 
-#include "fmt/format.h"
-
 namespace importon {
 
 std::shared_ptr<LoadedDevice> loadDevice(const FeatureSet& features, const RenderJob& job) {
@@ -11,13 +9,6 @@ std::shared_ptr<LoadedDevice> loadDevice(const FeatureSet& features, const Rende
     compileAhead(device.kernels, features, job);
   });
   return loaded;
-}
-
-std::shared_ptr<LoadedDevice> DeviceCache::find(const FeatureSet& features, const RenderJob& job) {
-  const std::string key = fmt::format("{} {} {}", job.validation, describeKernels(features, job), job.device);
-  if (const auto found = devices_.find(key); found != devices_.end()) return found->second;
-  if (devices_.size() >= kMost) devices_.clear();
-  return devices_[key] = loadDevice(features, job);
 }
 
 }  // namespace importon

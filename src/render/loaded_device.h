@@ -2,9 +2,7 @@
 #pragma once
 #include <functional>
 #include <future>
-#include <map>
 #include <memory>
-#include <string>
 
 #include "gpu/context.h"
 #include "render/kernel_set.h"
@@ -23,16 +21,5 @@ using DeviceSource = std::function<std::shared_ptr<LoadedDevice>(const FeatureSe
 
 /// Opens the job's device and begins to compile the kernels for `features`. Throws DeviceError.
 [[nodiscard]] std::shared_ptr<LoadedDevice> loadDevice(const FeatureSet& features, const RenderJob& job);
-
-/// Keeps devices for renders that call for the same kernels, one after another. Not for several threads.
-class DeviceCache {
- public:
-  [[nodiscard]] std::shared_ptr<LoadedDevice> find(const FeatureSet& features, const RenderJob& job);
-  void clear() { devices_.clear(); }
-
- private:
-  static constexpr std::size_t kMost = 12;  // each holds some tens of MiB of compiled kernels
-  std::map<std::string, std::shared_ptr<LoadedDevice>> devices_;
-};
 
 }  // namespace importon

@@ -5,12 +5,16 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <map>
+#include <memory>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "base/error.h"
 #include "gpu/context.h"
+#include "render/loaded_device.h"
 #include "support/stability.h"
 
 namespace importon::test {
@@ -33,6 +37,22 @@ bool requiresVulkan() {
 std::string describe(const Moments& m) {
   return fmt::format("{:.6g} +- {:.2g} (n = {})", m.mean(), m.standardError(), m.count());
 }
+
+/// Keeps devices for renders that call for the same kernels, one after another. Not for several threads.
+class DeviceCache {
+ public:
+  [[nodiscard]] std::shared_ptr<LoadedDevice> find(const FeatureSet& features, const RenderJob& job) {
+    const std::string key = fmt::format("{} {} {}", job.validation, describeKernels(features, job), job.device);
+    if (const auto found = devices_.find(key); found != devices_.end()) return found->second;
+    if (devices_.size() >= kMost) devices_.clear();
+    return devices_[key] = loadDevice(features, job);
+  }
+  void clear() { devices_.clear(); }
+
+ private:
+  static constexpr std::size_t kMost = 12;  // each holds some tens of MiB of compiled kernels
+  std::map<std::string, std::shared_ptr<LoadedDevice>> devices_;
+};
 
 /// Renders of a test that call for the same kernels share them.
 DeviceCache& devices() {
