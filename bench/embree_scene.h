@@ -18,6 +18,8 @@ class EmbreeScene {
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 
   [[nodiscard]] double buildSeconds() const { return buildSeconds_; }
+  /// Processor time of all threads.
+  [[nodiscard]] double buildProcessorSeconds() const { return buildProcessorSeconds_; }
   /// Traces every ray with rtcIntersect1 or rtcOccluded1, on as many threads; returns the seconds that it took.
   [[nodiscard]] double trace(std::span<const Ray> rays, bool isAnyHit) const;
 
@@ -28,6 +30,7 @@ class EmbreeScene {
   RTCDeviceTy* device_;
   RTCSceneTy* scene_;
   double buildSeconds_ = 0;
+  double buildProcessorSeconds_ = 0;
 };
 
 }  // namespace importon::bench

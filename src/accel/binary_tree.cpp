@@ -309,11 +309,11 @@ void Builder::build(std::uint32_t nodeIndex, int source, std::uint32_t first, st
 
 }  // namespace
 
-BinaryTree buildBinaryTree(std::span<PrimitiveBox> boxes, const BinaryTreeOptions& options,
+BinaryTree buildBinaryTree(LargeVector<PrimitiveBox> boxes, const BinaryTreeOptions& options,
                            BuildProgress& progress) {
   const auto count = static_cast<std::uint32_t>(boxes.size());
   BinaryTree tree;
-  tree.nodes = std::make_unique_for_overwrite<BinaryNode[]>(2 * static_cast<std::size_t>(count));
+  tree.nodes.resize(2 * boxes.size());
   tree.order.resize(count);
   struct Bounds {
     Box box = Box::empty(), centres = Box::empty();
@@ -332,8 +332,8 @@ BinaryTree buildBinaryTree(std::span<PrimitiveBox> boxes, const BinaryTreeOption
         a.centres.include(b.centres);
         return a;
       });
-  const auto spare = std::make_unique_for_overwrite<PrimitiveBox[]>(boxes.size());
-  const Builder builder(boxes.data(), spare.get(), options, tree, progress);
+  LargeVector<PrimitiveBox> spare(boxes.size());
+  const Builder builder(boxes.data(), spare.data(), options, tree, progress);
   builder.build(0, 0, 0, count, bounds.box, bounds.centres, 0);
   tree.coincident = builder.coincident();
   return tree;

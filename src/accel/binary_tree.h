@@ -1,12 +1,10 @@
 /// A binary tree of boxes over primitives, built top-down with binned surface area heuristic.
 #pragma once
 #include <cstdint>
-#include <memory>
-#include <span>
-#include <vector>
 
 #include "accel/box.h"
 #include "accel/build_progress.h"
+#include "base/large_vector.h"
 #include "shared/bvh_data.h"
 
 namespace importon {
@@ -42,9 +40,9 @@ struct BinaryNode {
 static_assert(sizeof(BinaryNode) == 32);
 
 struct BinaryTree {
-  std::unique_ptr<BinaryNode[]> nodes;  // 2·primitives, of which the gaps are not initialised
-  std::vector<std::uint32_t> order;     // primitive indices, each once; a node's are contiguous
-  std::uint32_t coincident = 0;         // most primitives whose boxes all have the same centre
+  LargeVector<BinaryNode> nodes;     // 2·primitives, of which the gaps are not initialised
+  LargeVector<std::uint32_t> order;  // primitive indices, each once; a node's are contiguous
+  std::uint32_t coincident = 0;      // most primitives whose boxes all have the same centre
 
   [[nodiscard]] static std::uint32_t leftChild(std::uint32_t node) { return node + 1; }
   [[nodiscard]] std::uint32_t rightChild(std::uint32_t node) const { return node + 2 * nodes[node + 1].count; }
@@ -56,10 +54,10 @@ struct BinaryTreeOptions {
   float intersectionCost = 1.0f;  // a primitive's test
 };
 
-/// Builds over `boxes` (at least one), which are used up as working memory. The same tree whatever the number
+/// Builds over `boxes` (at least one). The same tree whatever the number
 /// of threads of the calling TBB arena. No path is longer than kBvhMaxDepth nodes. [Wald 2007, On fast
 /// construction of SAH-based bounding volume hierarchies]
-[[nodiscard]] BinaryTree buildBinaryTree(std::span<PrimitiveBox> boxes, const BinaryTreeOptions& options,
+[[nodiscard]] BinaryTree buildBinaryTree(LargeVector<PrimitiveBox> boxes, const BinaryTreeOptions& options,
                                          BuildProgress& progress);
 
 }  // namespace importon

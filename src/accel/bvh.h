@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <vector>
 
+#include "base/large_vector.h"
 #include "shared/bvh_data.h"
 #include "shared/scene_data.h"
 
@@ -29,7 +29,7 @@ static_assert(sizeof(BvhNode) == sizeof(BvhRecord) && sizeof(BvhTriangle) == siz
 }
 
 struct Bvh {
-  std::vector<BvhRecord> nodes;  // nodes and triangles alike; the root first
+  LargeVector<BvhRecord> nodes;  // nodes and triangles alike; the root first
 };
 
 /// Builds over all triangles; those without area must have been dropped. Positions must be finite.

@@ -1,8 +1,7 @@
 #include "accel/encode.h"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <cmath>
@@ -67,66 +66,54 @@ Grid makeGrid(float low, float high) {
 
 float squaredLength(vec3 v) { return glm::dot(v, v); }
 
-/// Where the records of the children and the chained triangles of each wide node go.
-struct Places {
-  std::vector<std::uint32_t> node;        // record of each wide node
-  std::vector<std::uint32_t> firstChild;  // of each wide node
-  std::uint32_t count = 1;                // records in all; the root is record 0
-};
-
-Places placeRecords(const BinaryTree& binary, const std::vector<WideNode>& wide) {
-  Places places{std::vector<std::uint32_t>(wide.size(), 0), std::vector<std::uint32_t>(wide.size(), 0), 1};
-  std::vector<std::uint32_t> stack{0};
-  while (!stack.empty()) {
-    const std::uint32_t index = stack.back();
-    stack.pop_back();
-    const WideNode& node = wide[index];
-    places.firstChild[index] = places.count;
-    places.count += node.childCount;
-    for (std::uint32_t slot = node.childCount; slot-- > 0;) {
-      const WideNode::Child& child = node.children[slot];
-      if (child.wideNode == WideNode::kLeaf) {
-        places.count += binary.nodes[child.binaryNode].count - 1;
-      } else {
-        places.node[child.wideNode] = places.firstChild[index] + slot;
-        stack.push_back(child.wideNode);
-      }
-    }
-    if (places.count >= 1u << kBvhIndexBits)
-      throw SceneError("too many triangles", "",
-                       fmt::format("use fewer than {} million", (1u << kBvhIndexBits) * 3 / 4 / 1000000));
-  }
-  return places;
-}
-
 class Encoder {
  public:
-  Encoder(const BinaryTree& binary, const std::vector<WideNode>& wide, const Places& places,
-          std::span<const vec3> positions, std::span<const Triangle> triangles, std::vector<BvhRecord>& records)
-      : binary_(binary),
-        wide_(wide),
-        places_(places),
-        positions_(positions),
-        triangles_(triangles),
-        records_(records) {}
+  Encoder(const BinaryTree& binary, const WideTree& wide, std::span<const vec3> positions,
+          std::span<const Triangle> triangles, std::span<BvhRecord> records)
+      : binary_(binary), wide_(wide), positions_(positions), triangles_(triangles), records_(records) {}
 
-  /// The node itself and the triangles of its leaves.
-  void encode(std::uint32_t index) const {
-    const WideNode& node = wide_[index];
-    const std::uint32_t firstChild = places_.firstChild[index];
+  /// The node itself as record `place`, and all below it from record `firstChild` on.
+  void encode(std::uint32_t node, std::uint32_t place, std::uint32_t firstChild) const {
+    const WideChildren children = wide_.children(node);
     std::array<Box, kBvhWidth> boxes;
-    std::uint32_t spare = firstChild + node.childCount;
-    for (std::uint32_t slot = 0; slot < node.childCount; ++slot) {
-      const WideNode::Child& child = node.children[slot];
-      const BinaryNode& box = binary_.nodes[child.binaryNode];
-      boxes[slot] = {Float4{box.lo[0], box.lo[1], box.lo[2], 0.0f},
-                     Float4{box.hi[0], box.hi[1], box.hi[2], 0.0f}};
-      if (child.wideNode == WideNode::kLeaf) spare = encodeLeaf(box, firstChild + slot, spare);
+    std::uint32_t next = firstChild + children.count;
+    for (std::uint32_t slot = 0; slot < children.count; ++slot) {
+      const BinaryNode& child = binary_.nodes[children.nodes[slot]];
+      boxes[slot] = {Float4{child.lo[0], child.lo[1], child.lo[2], 0.0f},
+                     Float4{child.hi[0], child.hi[1], child.hi[2], 0.0f}};
+      if (wide_.isLeaf(children.nodes[slot])) next = encodeLeaf(child, firstChild + slot, next);
     }
-    records_[places_.node[index]] = makeBvhNode(std::span(boxes).first(node.childCount), firstChild);
+    records_[place] = makeBvhNode(std::span(boxes).first(children.count), firstChild);
+    if (binary_.nodes[node].count < kParallelSubtree)
+      encodeInner(children, firstChild, next);
+    else
+      encodeInParallel(children, firstChild, next);
   }
 
  private:
+  static constexpr std::uint32_t kParallelSubtree = 1u << 12;  // primitives
+
+  /// The children that are nodes, the subtree of the first from record `next` on.
+  void encodeInner(const WideChildren& children, std::uint32_t firstChild, std::uint32_t next) const {
+    for (std::uint32_t slot = 0; slot < children.count; ++slot) {
+      const std::uint32_t child = children.nodes[slot];
+      if (wide_.isLeaf(child)) continue;
+      encode(child, firstChild + slot, next);
+      next += wide_.recordsBelow(child);
+    }
+  }
+  /// The same, each on a thread of its own if there is one.
+  void encodeInParallel(const WideChildren& children, std::uint32_t firstChild, std::uint32_t next) const {
+    tbb::task_group tasks;
+    for (std::uint32_t slot = 0; slot < children.count; ++slot) {
+      const std::uint32_t child = children.nodes[slot];
+      if (wide_.isLeaf(child)) continue;
+      tasks.run([this, child, next, place = firstChild + slot] { encode(child, place, next); });
+      next += wide_.recordsBelow(child);
+    }
+    tasks.wait();
+  }
+
   /// Its first triangle is record `record`, the rest from `spare` on. Returns what is spare then.
   std::uint32_t encodeLeaf(const BinaryNode& leaf, std::uint32_t record, std::uint32_t spare) const {
     for (std::uint32_t i = 0; i < leaf.count; ++i) {
@@ -141,11 +128,10 @@ class Encoder {
   }
 
   const BinaryTree& binary_;
-  const std::vector<WideNode>& wide_;
-  const Places& places_;
+  const WideTree& wide_;
   std::span<const vec3> positions_;
   std::span<const Triangle> triangles_;
-  std::vector<BvhRecord>& records_;
+  std::span<BvhRecord> records_;
 };
 
 }  // namespace
@@ -208,17 +194,14 @@ bool hasChild(const BvhNode& node, std::uint32_t slot) {
   return ((node.lowX >> (8 * slot)) & 255u) <= ((node.highX >> (8 * slot)) & 255u);
 }
 
-std::vector<BvhRecord> encodeBvh(const BinaryTree& binary, const std::vector<WideNode>& wide,
+LargeVector<BvhRecord> encodeBvh(const BinaryTree& binary, const WideTree& wide,
                                  std::span<const vec3> positions, std::span<const Triangle> triangles) {
-  constexpr std::size_t kChunk = 1024;
-  const Places places = placeRecords(binary, wide);
-  std::vector<BvhRecord> records(places.count);
-  const Encoder encoder(binary, wide, places, positions, triangles, records);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, wide.size(), kChunk),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t i = range.begin(); i < range.end(); ++i)
-                        encoder.encode(static_cast<std::uint32_t>(i));
-                    });
+  const std::uint32_t count = 1 + (wide.isLeaf(0) ? binary.nodes[0].count : wide.recordsBelow(0));
+  if (count >= 1u << kBvhIndexBits)
+    throw SceneError("too many triangles", "",
+                     fmt::format("use fewer than {} million", (1u << kBvhIndexBits) * 3 / 4 / 1000000));
+  LargeVector<BvhRecord> records(count);
+  Encoder(binary, wide, positions, triangles, records).encode(0, 0, 1);
   return records;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 #include <array>
 #include <span>
-#include <vector>
 
 #include "accel/binary_tree.h"
 #include "accel/bvh.h"
@@ -21,8 +20,9 @@ namespace importon {
 [[nodiscard]] Box childBox(const BvhNode& node, std::uint32_t slot);
 [[nodiscard]] bool hasChild(const BvhNode& node, std::uint32_t slot);
 
-/// Records in depth-first order: the children of a node, then the rest of its leaves' triangles.
-[[nodiscard]] std::vector<BvhRecord> encodeBvh(const BinaryTree& binary, const std::vector<WideNode>& wide,
+/// Records in depth-first order: the children of a node, then the rest of its leaves' triangles, then what is
+/// below each child. Throws SceneError when there are too many for their indices.
+[[nodiscard]] LargeVector<BvhRecord> encodeBvh(const BinaryTree& binary, const WideTree& wide,
                                                std::span<const vec3> positions,
                                                std::span<const Triangle> triangles);
 

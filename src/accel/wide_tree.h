@@ -1,24 +1,13 @@
-/// A tree of nodes with up to kBvhWidth children, made from a binary tree.
+/// How a binary tree becomes one of nodes with up to kBvhWidth children.
 #pragma once
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "accel/binary_tree.h"
+#include "base/large_vector.h"
 #include "shared/bvh_data.h"
 
 namespace importon {
-
-/// Its children are nodes of the binary tree, each either another wide node or a leaf.
-struct WideNode {
-  static constexpr std::uint32_t kLeaf = 0xFFFFFFFFu;
-  struct Child {
-    std::uint32_t binaryNode = 0;
-    std::uint32_t wideNode = kLeaf;  // kLeaf: a leaf with all primitives below binaryNode
-  };
-  std::array<Child, kBvhWidth> children;
-  std::uint32_t childCount = 0;
-};
 
 struct WideTreeOptions {
   std::uint32_t maxLeafPrimitives = 3;
@@ -26,9 +15,43 @@ struct WideTreeOptions {
   float intersectionCost = 1.0f;  // a primitive's test
 };
 
-/// Chooses which binary nodes to keep so that the surface area cost is least, by dynamic programming over
-/// (node, slots to fill) [Ylitie et al. 2017, Efficient incoherent ray traversal on GPUs through compressed
-/// wide BVHs, section 3.1]. The root is node 0.
-[[nodiscard]] std::vector<WideNode> buildWideTree(const BinaryTree& tree, const WideTreeOptions& options);
+/// Children of a wide node: nodes of the binary tree, each a leaf or again a wide node.
+struct WideChildren {
+  std::array<std::uint32_t, kBvhWidth> nodes;
+  std::uint32_t count = 0;
+};
+
+/// Chooses which nodes of `tree` become wide nodes and which leaves, so that the surface area cost is least, by
+/// dynamic programming over (node, slots to fill) [Ylitie et al. 2017, Efficient incoherent ray traversal on
+/// GPUs through compressed wide BVHs, section 3.1]. Keeps a reference to the tree. The root, node 0, is always
+/// a wide node.
+class WideTree {
+ public:
+  WideTree(const BinaryTree& tree, const WideTreeOptions& options);
+
+  [[nodiscard]] WideChildren children(std::uint32_t node) const;
+  [[nodiscard]] bool isLeaf(std::uint32_t node) const { return choices_[node].isLeaf; }
+  /// Nodes and primitives below a node, saturated; of a leaf, its primitives but the first.
+  [[nodiscard]] std::uint32_t recordsBelow(std::uint32_t node) const { return choices_[node].recordsBelow; }
+
+ private:
+  /// What is best for a binary node that may fill s slots of its wide parent.
+  struct Choice {
+    std::uint32_t recordsBelow;
+    std::array<std::uint8_t, kBvhWidth - 1> leftSlots;  // [s - 2], s = 2 … kBvhWidth; 0: fewer slots are better
+    bool isLeaf;                                        // in one slot: a leaf, else a wide node
+  };
+  struct Plan;
+
+  Plan plan(std::uint32_t node);
+  Plan planLeaf(std::uint32_t node);
+  Plan planInner(std::uint32_t node, const Plan& left, const Plan& right);
+  [[nodiscard]] float leafCost(const BinaryNode& node) const;
+  void fill(std::uint32_t node, std::uint32_t slots, WideChildren& children) const;
+
+  const BinaryTree& tree_;
+  WideTreeOptions options_;
+  LargeVector<Choice> choices_;  // by binary node, as far as it is used
+};
 
 }  // namespace importon

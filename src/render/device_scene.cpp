@@ -108,10 +108,10 @@ std::vector<uvec2> packEnvironmentAlias(const EnvironmentMap& map) {
   return texels;
 }
 
-template <class T>
-gpu::Buffer buffer(gpu::Context& context, const char* name, const std::vector<T>& data,
+template <class T, class Allocator>
+gpu::Buffer buffer(gpu::Context& context, const char* name, const std::vector<T, Allocator>& data,
                    TexelFormat format = TexelFormat::none) {
-  const std::vector<T> placeholder(1);
+  const std::vector<T, Allocator> placeholder(1, T{});
   return gpu::makeBuffer<T>(context, name, data.empty() ? placeholder : data, format);
 }
 
