@@ -26,7 +26,7 @@ layout(binding = kBindingLightsSeen) uniform usamplerBuffer lightsSeenTexels;
 
 uvec2 lightsSeen(vec3 x) {
   if (!kHasGlobalMap) return uvec2(kNone);  // no photon says what reaches where
-  return texelFetch(lightsSeenTexels, int(lightVoxel(x, params.gridOrigin, params.gridExtent))).xy;
+  return texelFetch(lightsSeenTexels, int(lightVoxel(x, params.gridOrigin, params.gridExtent, params.lightCount))).xy;
 }
 
 #include "lib/light.glsl"

@@ -1,14 +1,13 @@
 // Lights: choosing one for a point, sampling it, and emitting photons from it.
 // The kernel defines `uvec4 lightTexel(uint index)` (four per light: position and kind; direction and power;
 // emission and area; triangle, two-sidedness, cosines of a spot), `LightAlias lightAliasAt(uint index)`, `uvec2
-// lightsSeen(vec3 x)` (a bit for each light that is known to reach the surroundings of x) and includes lib/surface.glsl and what lib/environment.glsl and lib/light_tree.glsl ask for before this file.
+// lightsSeen(vec3 x)` (a bit for each group of lights, lightGroup(), that is known to reach the surroundings of x) and
+// includes lib/surface.glsl and what lib/environment.glsl and lib/light_tree.glsl ask for before this file.
 #ifndef IMPORTON_LIB_LIGHT_GLSL
 #define IMPORTON_LIB_LIGHT_GLSL
 #include "lib/hash.glsl"
 #include "lib/environment.glsl"
 #include "lib/light_tree.glsl"
-
-const uint kLinearLights = 64u;  // up to so many, every light is weighed at every point; more are in a tree
 
 struct LightSample {
   vec3 direction;   // to the light, unit length
@@ -61,9 +60,6 @@ float lightWeight(uint index, vec3 x) {
   return power / (kPi * max(d2, uintBitsToFloat(t2.w)));
 }
 
-/// What a light is worth that no photon has come from to x's surroundings: hidden, or not yet found.
-const float kUnseenLight = 0.05;
-
 bool isLightSeen(uvec2 seen, uint index) { return ((index < 32u ? seen.x >> index : seen.y >> (index - 32u)) & 1u) != 0u; }
 
 /// The weight of choosing one of at most kLinearLights lights.
@@ -99,7 +95,7 @@ const float kDefensiveShare = 0.1;
 /// Probability with which chooseLight takes `index` at x; of lights that bring nothing there, anything.
 float lightProbability(uint count, uint index, vec3 x, float weightSum) {
   float byWeight = 0.0;
-  if (count > kLinearLights) byWeight = treeProbability(count, index, x);
+  if (count > kLinearLights) byWeight = treeProbability(count, index, x, lightsSeen(x));
   else if (weightSum > 0.0) byWeight = weightOfLight(index, x, lightsSeen(x)) / weightSum;
   return mix(byWeight, 1.0 / float(count), kDefensiveShare);
 }
@@ -116,7 +112,7 @@ uint chooseLight(uint count, vec3 x, inout float u, out float probability, out f
   uint chosen;
   float unused;
   if (count > kLinearLights) {
-    chosen = isDefensive ? 0u : chooseFromTree(x, scaled, unused);
+    chosen = isDefensive ? 0u : chooseFromTree(x, lightsSeen(x), scaled, unused);
     u = unitFloat(hash(floatBitsToUint(scaled)));  // the way down the tree uses up most bits
   } else {
     chosen = chooseByWeight(count, x, u, weightSum);

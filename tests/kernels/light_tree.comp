@@ -9,6 +9,7 @@ struct Query {
   vec3 x;
   float u;
   uint light;
+  uvec2 seen;
 };
 struct Answer {
   uint chosen;
@@ -31,7 +32,7 @@ void main() {
   const uint i = invocationIndex();
   if (i >= count) return;
   Answer a;
-  a.chosen = chooseFromTree(items[i].x, items[i].u, a.chosenProbability);
-  a.probability = treeProbability(lights, items[i].light, items[i].x);
+  a.chosen = chooseFromTree(items[i].x, items[i].seen, items[i].u, a.chosenProbability);
+  a.probability = treeProbability(lights, items[i].light, items[i].x, items[i].seen);
   results[i] = a;
 }

@@ -17,6 +17,7 @@ struct Query {
   vec3 x{0.0f};
   float u = 0;
   uint light = 0;
+  uvec2 seen{~0u};
 };
 struct Answer {
   uint chosen;
@@ -75,7 +76,7 @@ TEST_F(LightTree, ProbabilitiesOfAllLightsSumToOne) {
     const auto lights = count < 4 ? std::vector(count, LightBounds{.power = 1}) : someLights(count);
     for (const vec3& x : kPlaces) {
       std::vector<Query> queries;
-      for (uint i = 0; i < count; ++i) queries.push_back({x, 0, i});
+      for (uint i = 0; i < count; ++i) queries.push_back({x, 0, i, uvec2(0x00F0A001u, 0x80000010u)});
       double sum = 0;
       for (const Answer& a : ask(lights, queries)) {
         EXPECT_GT(a.probability, 0);
@@ -93,7 +94,7 @@ TEST_F(LightTree, LightsAreChosenWithTheStatedProbability) {
   for (const vec3& x : kPlaces) {
     std::mt19937 random(9);
     std::uniform_real_distribution<float> unit(0, 0.99999994f);
-    std::vector<Query> queries(kSamples, Query{x});
+    std::vector<Query> queries(kSamples, Query{.x = x, .seen = uvec2(0xF000FF01u, 0x0000A0A0u)});
     for (std::size_t i = 0; i < kSamples; ++i) queries[i].u = unit(random);
     for (uint i = 0; i < kLights; ++i) queries[i].light = i;
     const auto answers = ask(lights, queries);
@@ -122,6 +123,25 @@ TEST_F(LightTree, NearLightsThatFaceThePointAreLikelier) {
   const auto answers = ask(lights, {{vec3(1, 0, 0), 0, 0}, {vec3(1, 0, 0), 0, 1}, {vec3(1, 0, 0), 0, 2}});
   EXPECT_GT(answers[0].probability, 5 * answers[1].probability);
   EXPECT_GT(answers[0].probability, 5 * answers[2].probability);
+}
+
+// Of equal lights in a row, the tree's first step parts the left half from the right one.
+TEST_F(LightTree, LightsOfGroupsThatAreNotSeenAreChosenSeldom) {
+  constexpr std::size_t kLights = 256;
+  std::vector<LightBounds> lights(kLights, LightBounds{.power = 1});
+  for (std::size_t i = 0; i < kLights; ++i) lights[i].low = lights[i].high = vec3(static_cast<float>(i), 0, 0);
+  const vec3 x(127.5f, 0, 1e4f);  // from there all are worth the same
+  const uvec2 leftHalf(0x55555555u), oneGroup(0x1u, 0u);
+  std::vector<Query> queries;
+  for (uint i = 0; i < kLights; ++i) queries.push_back({x, 0, i, leftHalf});
+  for (uint i = 0; i < kLights; ++i) queries.push_back({x, 0, i, oneGroup});
+  const auto answers = ask(lights, queries);
+  double left = 0, group = 0;
+  for (std::size_t i = 0; i < kLights / 2; ++i) left += static_cast<double>(answers[i].probability);
+  for (std::size_t i = 0; i < kLights / 64; ++i) group += static_cast<double>(answers[kLights + i].probability);
+  EXPECT_NEAR(left, 1 / 1.05, 1e-3);
+  EXPECT_GT(group, 0.2);  // of a 64th of the lights
+  EXPECT_LT(answers[kLights + 4].probability, answers[kLights].probability / 10);
 }
 
 }  // namespace
