@@ -84,17 +84,18 @@ class SurfaceSampler {
 }  // namespace
 
 std::span<const char* const> benchSceneNames() {
-  static constexpr std::array kNames{"height_field",  "cornell-box", "veach-bidir",      "modern-hall",
-                                     "water-caustic", "veach-ajar",  "living-room-dense"};
+  static constexpr std::array kNames{"height_field",  "cornell-box", "veach-bidir",       "modern-hall", "water-caustic",
+                                     "veach-ajar",    "living-room-dense", "cornell_box", "rooms"};
   return kNames;
 }
 
 BenchScene loadBenchScene(const std::string& name) {
   if (name == "height_field") return makeHeightField();
+  const std::filesystem::path own = std::filesystem::path(IMPORTON_SCENES) / name / (name + ".gltf");
   const char* const chosen = std::getenv("IMPORTON_BENCH_SCENES");
   const std::filesystem::path folder = chosen != nullptr ? chosen : IMPORTON_SHARED_SCENES;
   Log log(Log::Verbosity::quiet);
-  Scene scene = loadGltf(folder / name / (name + ".glb"), log);
+  Scene scene = loadGltf(std::filesystem::exists(own) ? own : folder / name / (name + ".glb"), log);
   return {std::move(scene.positions), std::move(scene.triangles)};
 }
 

@@ -16,8 +16,8 @@ struct BenchScene {
 
 /// Names that loadBenchScene knows.
 [[nodiscard]] std::span<const char* const> benchSceneNames();
-/// A scene of the folder IMPORTON_BENCH_SCENES in the environment, else of the shared folder, or
-/// "height_field", a made one of a million triangles. Throws SceneError where the file is missing.
+/// One of the project's own scenes, else of the folder IMPORTON_BENCH_SCENES in the environment, else of the shared
+/// folder, or "height_field", a made one of a million triangles. Throws SceneError where the file is missing.
 [[nodiscard]] BenchScene loadBenchScene(const std::string& name);
 
 /// Incoherent rays: from points spread evenly over the surfaces, in random directions about the normal of one

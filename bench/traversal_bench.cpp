@@ -1,9 +1,12 @@
-// Rays per second of kernels/trace.comp on a million incoherent rays, and the ratio to Embree's, measured in
-// turns.
+// Rays per second of kernels/trace.comp on a million incoherent rays, or four million on a GPU, and on CPU devices the
+// ratio to Embree's, measured in turns. In the environment, IMPORTON_BENCH_DEVICE names the Vulkan device as --device
+// does, and IMPORTON_BENCH_WITHOUT_EMBREE leaves out the comparison.
 #include <benchmark/benchmark.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <ctime>
+#include <optional>
 
 #include "accel/ray_tracer.h"
 #include "base/error.h"
@@ -19,22 +22,30 @@ namespace {
 using namespace importon;
 using namespace importon::bench;
 
-constexpr std::size_t kRays = 1000000;
+constexpr std::size_t kRays = 1000000, kRaysOnGpu = 4000000;
+
+/// A variable of the environment; empty where it is not set.
+std::string setting(const char* name) {
+  const char* const value = std::getenv(name);
+  return value != nullptr ? value : "";
+}
 
 /// Processor time of all threads of this process, in seconds.
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 void measureTraversal(benchmark::State& state, const BenchScene& scene, bool isAnyHit) {
-  gpu::Context context({});
-  const std::vector<Ray> rays = isAnyHit ? makeShadowRays(scene, kRays) : makeBounceRays(scene, kRays);
+  gpu::Context context({.device = setting("IMPORTON_BENCH_DEVICE")});
+  const std::size_t count = context.limits().isCpu ? kRays : kRaysOnGpu;
+  const std::vector<Ray> rays = isAnyHit ? makeShadowRays(scene, count) : makeBounceRays(scene, count);
   test::RayTracer tracer(context, buildBvh(scene.positions, scene.triangles));
   tracer.upload(rays);
   tracer.trace(isAnyHit);  // compiles the kernel
 #ifdef IMPORTON_HAS_EMBREE
-  const EmbreeScene embree(scene, threadCount(0));
+  std::optional<EmbreeScene> embree;
+  if (context.limits().isCpu && setting("IMPORTON_BENCH_WITHOUT_EMBREE").empty()) embree.emplace(scene, threadCount(0));
   double embreeSeconds = 0, embreeProcessor = 0;
 #endif
-  double seconds = 0, processor = 0;
+  double seconds = 0, deviceSeconds = 0, processor = 0;
   for ([[maybe_unused]] auto _ : state) {
     const auto start = std::chrono::steady_clock::now();
     const double processorStart = processorSeconds();
@@ -44,21 +55,25 @@ void measureTraversal(benchmark::State& state, const BenchScene& scene, bool isA
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     state.SetIterationTime(elapsed);
     seconds += elapsed;
+    deviceSeconds += tracer.seconds();
 #ifdef IMPORTON_HAS_EMBREE
-    embreeSeconds += embree.trace(rays, isAnyHit);
+    if (!embree) continue;
+    embreeSeconds += embree->trace(rays, isAnyHit);
     embreeProcessor += processorSeconds() - processorMiddle;
 #endif
   }
-  const double traced = static_cast<double>(kRays) * static_cast<double>(state.iterations());
+  const double traced = static_cast<double>(count) * static_cast<double>(state.iterations());
+  if (tracer.unfinished() > 0) state.SkipWithError("rays were given up");
   state.SetLabel(context.info().name);
   state.counters["Mrays/s"] = traced / seconds * 1e-6;
+  state.counters["device_Mrays/s"] = traced / deviceSeconds * 1e-6;  // by its own clock
 #ifdef IMPORTON_HAS_EMBREE
+  if (!embree) return;
   state.counters["Embree_Mrays/s"] = traced / embreeSeconds * 1e-6;
   state.counters["ratio"] = embreeSeconds / seconds;
   // The same by processor time, which other programs on the machine disturb less.
-  if (context.limits().isCpu) state.counters["processor_ratio"] = embreeProcessor / processor;
+  state.counters["processor_ratio"] = embreeProcessor / processor;
 #endif
-  if (tracer.unfinished() > 0) state.SkipWithError("rays were given up");
 }
 
 const int kRegistered = [] {
