@@ -262,7 +262,8 @@ void Builder::build(std::uint32_t nodeIndex, int source, std::uint32_t first, st
     node.hi[axis] = box.hi[axis];
   }
   node.first = first;
-  node.count = count & 0x7FFFFFFFu;
+  node.count = count & kMaxPrimitives;
+  node.hasLinks = 0;
   node.isLeaf = 0;
   if (count == 1) return makeLeaf(node, source, first, count);
 

@@ -1,6 +1,8 @@
 /// A binary tree of boxes over primitives, built top-down with binned surface area heuristic.
 #pragma once
+#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "accel/box.h"
 #include "accel/build_progress.h"
@@ -23,13 +25,17 @@ inline void setPrimitiveIndex(PrimitiveBox& box, std::uint32_t index) {
   box.lo[3] = bits;
 }
 
+constexpr std::uint32_t kMaxPrimitives = 0x3FFFFFFFu;
+
 /// Nodes lie in depth-first order with gaps: the left child of node i is i + 1, the right child
-/// i + 2·(primitives of the left child). So indices don't depend on the order in which threads build.
+/// i + 2·(primitives of the left child). So indices don't depend on the order in which threads build. A few, to
+/// which TreeTop has given other children, have links instead.
 struct BinaryNode {
   float lo[3];
-  std::uint32_t first;  // position of its first primitive in BinaryTree::order
+  std::uint32_t first;  // position of its first primitive in BinaryTree::order; of its links if it has them
   float hi[3];
-  std::uint32_t count : 31;  // primitives below
+  std::uint32_t count : 30;  // primitives below
+  std::uint32_t hasLinks : 1;
   std::uint32_t isLeaf : 1;
 
   [[nodiscard]] float halfArea() const {
@@ -40,12 +46,17 @@ struct BinaryNode {
 static_assert(sizeof(BinaryNode) == 32);
 
 struct BinaryTree {
-  LargeVector<BinaryNode> nodes;     // 2·primitives, of which the gaps are not initialised
-  LargeVector<std::uint32_t> order;  // primitive indices, each once; a node's are contiguous
-  std::uint32_t coincident = 0;      // most primitives whose boxes all have the same centre
+  LargeVector<BinaryNode> nodes;     // 2·primitives, of which the gaps are not initialised; the root is node 0
+  LargeVector<std::uint32_t> order;  // primitive indices; those of a leaf are contiguous
+  std::vector<std::array<std::uint32_t, 2>> links;  // left and right child of nodes that have links
+  std::uint32_t coincident = 0;                     // most primitives whose boxes all have the same centre
 
-  [[nodiscard]] static std::uint32_t leftChild(std::uint32_t node) { return node + 1; }
-  [[nodiscard]] std::uint32_t rightChild(std::uint32_t node) const { return node + 2 * nodes[node + 1].count; }
+  [[nodiscard]] std::uint32_t leftChild(std::uint32_t node) const {
+    return nodes[node].hasLinks ? links[nodes[node].first][0] : node + 1;
+  }
+  [[nodiscard]] std::uint32_t rightChild(std::uint32_t node) const {
+    return nodes[node].hasLinks ? links[nodes[node].first][1] : node + 2 * nodes[node + 1].count;
+  }
 };
 
 struct BinaryTreeOptions {

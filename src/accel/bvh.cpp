@@ -8,6 +8,8 @@
 #include "accel/build_progress.h"
 #include "accel/coincident.h"
 #include "accel/encode.h"
+#include "accel/split_triangles.h"
+#include "accel/tree_top.h"
 #include "accel/wide_tree.h"
 #include "base/parallel.h"
 
@@ -37,13 +39,35 @@ LargeVector<PrimitiveBox> makeBoxes(std::span<const vec3> positions, std::span<c
   return boxes;
 }
 
-LargeVector<BvhRecord> build(std::span<const vec3> positions, std::span<const Triangle> triangles,
+/// Decides on the top of the tree again, if paths don't become too long by that.
+LargeVector<BvhRecord> encodeImproved(BinaryTree& binary, std::span<const vec3> positions,
+                                      std::span<const Triangle> triangles) {
+  const WideTreeOptions options{.listsLeavesFirst = true};
+  TreeTop top(binary, {});
+  top.improve();
+  {
+    const WideTree wide(binary, options);
+    if (wide.depth() <= kBvhMaxDepth) return encodeBvh(binary, wide, positions, triangles);
+  }
+  top.undo();
+  return encodeBvh(binary, WideTree(binary, options), positions, triangles);
+}
+
+LargeVector<BvhRecord> build(std::span<const vec3> positions, std::span<const Triangle> triangles, bool splits,
                              BuildProgress& progress) {
   if (triangles.empty()) return {makeBvhNode({}, 0)};
-  BinaryTree binary = buildBinaryTree(makeBoxes(positions, triangles, {}), {}, progress);
-  if (binary.coincident > kMaxCoincident)
-    binary =
-        buildBinaryTree(makeBoxes(positions, triangles, distinctTriangles(positions, triangles)), {}, progress);
+  bool isCut = false;
+  const auto buildOver = [&](std::span<const std::uint32_t> chosen) {
+    LargeVector<PrimitiveBox> boxes = makeBoxes(positions, triangles, chosen);
+    const std::size_t whole = boxes.size();
+    if (splits) boxes = splitTriangles(std::move(boxes), positions, triangles, {});
+    isCut = boxes.size() > whole;
+    return buildBinaryTree(std::move(boxes), {}, progress);
+  };
+  BinaryTree binary = buildOver({});
+  if (binary.coincident > kMaxCoincident) binary = buildOver(distinctTriangles(positions, triangles));
+  // Among triangles along the axes it brings less than it costs shadow rays (docs/performance.md).
+  if (isCut) return encodeImproved(binary, positions, triangles);
   return encodeBvh(binary, WideTree(binary, {}), positions, triangles);
 }
 
@@ -53,7 +77,7 @@ Bvh buildBvh(std::span<const vec3> positions, std::span<const Triangle> triangle
   BuildProgress progress(options.progress, triangles.size());
   Bvh bvh;
   tbb::task_arena arena(threadCount(options.threads));
-  arena.execute([&] { bvh.nodes = build(positions, triangles, progress); });
+  arena.execute([&] { bvh.nodes = build(positions, triangles, options.splits, progress); });
   progress.finish();
   return bvh;
 }

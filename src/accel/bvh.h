@@ -16,6 +16,7 @@ namespace importon {
 struct BvhOptions {
   int threads = 0;                                // 0: all
   std::function<void(double fraction)> progress;  // called now and then from the calling thread; may be empty
+  bool splits = true;                             // long diagonal triangles are cut where that pays
 };
 
 /// A BvhNode or a BvhTriangle: 48 bytes, three texels.
@@ -33,6 +34,7 @@ struct Bvh {
 };
 
 /// Builds over all triangles; those without area must have been dropped. Positions must be finite.
+/// A triangle may be in several leaves (splitTriangles); the traversal finds the same hits.
 /// Deterministic whatever the number of threads. Where more than a few dozen triangles have the very same
 /// vertices, only the one with the smallest index is kept there. Throws SceneError when there are more
 /// triangles than record indices allow (about 12 million).

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace importon {
 namespace {
@@ -17,16 +18,17 @@ constexpr std::uint32_t kMaxRecords = 1u << 30;       // more than any tree may 
 struct WideTree::Plan {
   std::array<float, kBvhWidth> costs;
   std::array<std::uint32_t, kBvhWidth> records;  // those in the slots included
+  std::array<std::uint32_t, kBvhWidth> depths;   // wide nodes on the longest path
 };
 
 WideTree::WideTree(const BinaryTree& tree, const WideTreeOptions& options)
     : tree_(tree), options_(options), choices_(2 * tree.order.size()) {
-  (void)plan(0);
+  depth_ = plan(0).depths[0];
 }
 
 WideTree::Plan WideTree::plan(std::uint32_t node) {
   if (tree_.nodes[node].isLeaf) return planLeaf(node);
-  const std::uint32_t left = BinaryTree::leftChild(node), right = tree_.rightChild(node);
+  const std::uint32_t left = tree_.leftChild(node), right = tree_.rightChild(node);
   if (tree_.nodes[node].count < kParallelSubtree) {
     const Plan leftPlan = plan(left);
     return planInner(node, leftPlan, plan(right));
@@ -42,6 +44,7 @@ WideTree::Plan WideTree::planLeaf(std::uint32_t node) {
   Plan plan;
   plan.costs.fill(leafCost(tree_.nodes[node]));
   plan.records.fill(count);
+  plan.depths.fill(0);
   return plan;
 }
 
@@ -61,17 +64,21 @@ WideTree::Plan WideTree::planInner(std::uint32_t nodeIndex, const Plan& left, co
     plan.costs[slots - 1] = best;
     plan.records[slots - 1] =
         std::min(left.records[leftSlots - 1] + right.records[slots - leftSlots - 1], kMaxRecords);
+    plan.depths[slots - 1] = std::max(left.depths[leftSlots - 1], right.depths[slots - leftSlots - 1]);
     choice.leftSlots[slots - 2] = static_cast<std::uint8_t>(leftSlots);
   }
   const float asNode = node.halfArea() * options_.nodeCost + plan.costs[kBvhWidth - 1];
-  choice.isLeaf = nodeIndex != 0 && node.count <= options_.maxLeafPrimitives && leafCost(node) <= asNode;
+  choice.isLeaf =
+      nodeIndex != 0 && !node.hasLinks && node.count <= options_.maxLeafPrimitives && leafCost(node) <= asNode;
   choice.recordsBelow = choice.isLeaf ? node.count - 1 : plan.records[kBvhWidth - 1];
   plan.costs[0] = choice.isLeaf ? leafCost(node) : asNode;
   plan.records[0] = choice.recordsBelow + 1;
+  plan.depths[0] = choice.isLeaf ? 0 : plan.depths[kBvhWidth - 1] + 1;
   for (std::uint32_t slots = 2; slots < kBvhWidth; ++slots) {
     if (plan.costs[slots - 1] < plan.costs[slots - 2]) continue;
     plan.costs[slots - 1] = plan.costs[slots - 2];
     plan.records[slots - 1] = plan.records[slots - 2];
+    plan.depths[slots - 1] = plan.depths[slots - 2];
     choice.leftSlots[slots - 2] = 0;
   }
   choices_[nodeIndex] = choice;
@@ -88,7 +95,16 @@ WideChildren WideTree::children(std::uint32_t node) const {
     children.nodes[children.count++] = node;
   else
     fill(node, kBvhWidth, children);
+  if (!options_.listsLeavesFirst) return children;
+  const auto begin = children.nodes.begin(), end = begin + children.count;
+  for (auto last = begin + 1; last < end; ++last)
+    for (auto i = last; i != begin && comesBefore(*i, *(i - 1)); --i) std::swap(*i, *(i - 1));
   return children;
+}
+
+bool WideTree::comesBefore(std::uint32_t a, std::uint32_t b) const {
+  if (isLeaf(a) != isLeaf(b)) return isLeaf(a);
+  return tree_.nodes[a].halfArea() < tree_.nodes[b].halfArea();
 }
 
 void WideTree::fill(std::uint32_t node, std::uint32_t slots, WideChildren& children) const {
@@ -99,7 +115,7 @@ void WideTree::fill(std::uint32_t node, std::uint32_t slots, WideChildren& child
     return;
   }
   const std::uint32_t left = choice.leftSlots[slots - 2];
-  fill(BinaryTree::leftChild(node), left, children);
+  fill(tree_.leftChild(node), left, children);
   fill(tree_.rightChild(node), slots - left, children);
 }
 

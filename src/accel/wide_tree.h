@@ -13,6 +13,10 @@ struct WideTreeOptions {
   std::uint32_t maxLeafPrimitives = 3;
   float nodeCost = 1.0f;          // of a step through a wide node, in units of
   float intersectionCost = 1.0f;  // a primitive's test
+  /// Leaves come first among children, then the smaller of the boxes, else they come as in the binary tree. Of
+  /// children that a ray enters at the same distance, as it does where it starts, it visits the first one
+  /// first.
+  bool listsLeavesFirst = false;
 };
 
 /// Children of a wide node: nodes of the binary tree, each a leaf or again a wide node.
@@ -29,6 +33,8 @@ class WideTree {
  public:
   WideTree(const BinaryTree& tree, const WideTreeOptions& options);
 
+  /// Wide nodes on the longest path.
+  [[nodiscard]] std::uint32_t depth() const { return depth_; }
   [[nodiscard]] WideChildren children(std::uint32_t node) const;
   [[nodiscard]] bool isLeaf(std::uint32_t node) const { return choices_[node].isLeaf; }
   /// Nodes and primitives below a node, saturated; of a leaf, its primitives but the first.
@@ -47,10 +53,12 @@ class WideTree {
   Plan planLeaf(std::uint32_t node);
   Plan planInner(std::uint32_t node, const Plan& left, const Plan& right);
   [[nodiscard]] float leafCost(const BinaryNode& node) const;
+  [[nodiscard]] bool comesBefore(std::uint32_t a, std::uint32_t b) const;
   void fill(std::uint32_t node, std::uint32_t slots, WideChildren& children) const;
 
   const BinaryTree& tree_;
   WideTreeOptions options_;
+  std::uint32_t depth_ = 0;
   LargeVector<Choice> choices_;  // by binary node, as far as it is used
 };
 

@@ -1,6 +1,7 @@
 // kernels/trace_alpha.comp: rays pass where a material has holes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -96,6 +97,33 @@ TEST_F(AlphaTest, BlendedMaterialsStopTheShareOfRaysThatIsTheirAlpha) {
     EXPECT_NEAR(stopped(sheetOverFloor(withAlpha(static_cast<float>(alpha), kMaterialAlphaBlend))), alpha,
                 5 * deviation);
   }
+}
+
+/// A triangle in several leaves must stop a ray in all of them or in none.
+TEST_F(AlphaTest, TrianglesThatAreCutStopTheirShareOfRaysOnce) {
+  constexpr double kAlpha = 0.6;
+  SceneBuilder builder;
+  const uint sheet = builder.material(withAlpha(static_cast<float>(kAlpha), kMaterialAlphaBlend));
+  for (int i = 0; i < 40; ++i)
+    builder.triangle(sheet, {0.05 * i, 0, 0}, {1 + 0.05 * i, 1, 1}, {0.05 + 0.05 * i, 0, 0});
+  builder.pointLight({0.5, 2, 0.5}, vec3(1.0f));
+  const Scene scene = builder.finish();
+  const Bvh bvh = buildBvh(scene.positions, scene.triangles);
+  EXPECT_GT(std::count_if(bvh.nodes.begin(), bvh.nodes.end(), isLeaf), 40);
+  RayTracer opaque(context(), bvh), tracer(context(), bvh, scene);
+  std::vector<Ray> rays = raysDown(scene);
+  for (Ray& ray : rays) ray.tMax = 10 * (scene.boundsMax.y - scene.boundsMin.y);
+  const std::vector<Hit> all = opaque.closestHits(rays), closest = tracer.closestHits(rays),
+                         any = tracer.anyHits(rays);
+  double reached = 0, stopped = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    EXPECT_EQ(closest[i].triangle == kNone, any[i].triangle == kNone) << i;
+    reached += all[i].triangle != kNone ? 1 : 0;
+    stopped += closest[i].triangle != kNone ? 1 : 0;
+  }
+  ASSERT_GT(reached, kRays / 10.0);
+  // Five standard deviations: a false alarm once in 10^6 runs with other hashes.
+  EXPECT_NEAR(stopped / reached, kAlpha, 5 * std::sqrt(kAlpha * (1 - kAlpha) / reached));
 }
 
 TEST_F(AlphaTest, TheTexturesAlphaCounts) {

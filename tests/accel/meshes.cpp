@@ -85,6 +85,17 @@ Mesh randomTriangles(std::size_t count, float size, std::uint32_t seed) {
   return mesh;
 }
 
+Mesh slats(std::size_t count, std::uint32_t seed) {
+  Random random(seed);
+  Mesh mesh;
+  for (std::size_t i = 0; i < count; ++i) {
+    const vec3 start = random.cube(), along = 0.6f * random.direction();
+    const vec3 across = 0.01f * glm::normalize(glm::cross(along, random.direction()));
+    mesh.add(start, start + along, start + across);
+  }
+  return mesh;
+}
+
 Mesh heightField(std::uint32_t cells) {
   Mesh mesh;
   for (std::uint32_t y = 0; y <= cells; ++y)

@@ -134,6 +134,22 @@ TEST_F(TraverseTest, FindsWhatBruteForceFindsAmongNeedles) {
   expectAsBruteForce(mesh, allKinds(mesh, 2000));
 }
 
+TEST_F(TraverseTest, FindsWhatBruteForceFindsAmongTrianglesThatAreCut) {
+  const Mesh mesh = slats(2000, 31);
+  const Bvh bvh = buildBvh(mesh.positions, mesh.triangles);
+  EXPECT_GT(leafRecords(bvh).size(), 1.05 * static_cast<double>(mesh.triangles.size()));
+  expectAsBruteForce(mesh, allKinds(mesh, 2000));
+}
+
+TEST_F(TraverseTest, OfCoincidentTrianglesThatAreCutTakesTheSmallestIndex) {
+  const Mesh once = slats(1000, 32);
+  const Mesh mesh = fourCopies(once);
+  expectAsBruteForce(mesh, allKinds(mesh, 1000));
+  RayTracer tracer(context(), buildBvh(mesh.positions, mesh.triangles));
+  for (const Hit& hit : tracer.closestHits(surfaceRays(once, 3000, 33)))
+    EXPECT_TRUE(hit.triangle == kNone || hit.triangle < once.triangles.size());
+}
+
 TEST_F(TraverseTest, OfCoincidentTrianglesTakesTheSmallestIndex) {
   const Mesh once = heightField(20);
   const Mesh mesh = fourCopies(once);
@@ -166,7 +182,7 @@ TEST_F(TraverseTest, LosesNoRayThroughEdgesAndCornersOfAClosedBox) {
 }
 
 TEST_F(TraverseTest, AnyHitSaysWhetherTheClosestHitLiesBeforeTheEnd) {
-  for (const Mesh& mesh : {randomTriangles(3000, 0.1f, 29), heightField(60)}) {
+  for (const Mesh& mesh : {randomTriangles(3000, 0.1f, 29), heightField(60), slats(2000, 34)}) {
     std::vector<Ray> rays = segmentRays(mesh, 20000, 30);
     RayTracer tracer(context(), buildBvh(mesh.positions, mesh.triangles));
     const std::vector<Hit> any = tracer.anyHits(rays), closest = tracer.closestHits(rays);
