@@ -93,6 +93,8 @@ class Splitter {
       if (cut(part)) --most;
     }
   }
+  /// Boxes of enough waste to be cut.
+  [[nodiscard]] std::size_t waiting() const { return queue_.size(); }
   [[nodiscard]] double saved() const { return saved_; }
   void replace(LargeVector<PrimitiveBox>& boxes) const;
 
@@ -112,6 +114,7 @@ class Splitter {
   std::span<const Triangle> triangles_;
   float leastWaste_, leastGain_;
   double saved_ = 0;
+  std::size_t cuts_ = 0;
   std::vector<Part> parts_;
   std::vector<std::pair<float, std::uint32_t>> queue_;  // waste, part
 };
@@ -149,6 +152,7 @@ bool Splitter::cut(std::uint32_t index) {
   const float gain = box.halfArea() - lower.box.halfArea() - upper.box.halfArea();
   if (!(gain >= leastGain_ * box.halfArea())) return false;
   saved_ += static_cast<double>(gain);
+  ++cuts_;
   for (Part* part : {&lower, &upper}) {
     part->isCut = true;
     setPrimitiveIndex(part->box, primitiveIndex(box));
@@ -163,6 +167,7 @@ void Splitter::replace(LargeVector<PrimitiveBox>& boxes) const {
   const Float4 reach = max4(scene_.hi, -scene_.lo);
   const float margin = kMargin * std::max({reach[0], reach[1], reach[2]});
   std::vector<bool> isTaken(boxes.size(), false);
+  boxes.reserve(boxes.size() + cuts_);
   for (const Part& part : parts_) {
     if (part.place == kGone || !part.isCut) continue;
     PrimitiveBox box{part.box.lo - margin, part.box.hi + margin};
@@ -184,8 +189,10 @@ LargeVector<PrimitiveBox> splitTriangles(LargeVector<PrimitiveBox> boxes, std::s
   const std::size_t most = std::min(room, static_cast<std::size_t>(static_cast<double>(options.mostParts) *
                                                                    static_cast<double>(boxes.size())));
   Splitter splitter(sums.scene, positions, triangles, options);
-  for (const std::uint32_t index : largerThan(options.leastWaste * sums.scene.halfArea(), boxes))
+  for (const std::uint32_t index : largerThan(options.leastWaste * sums.scene.halfArea(), boxes)) {
     splitter.add(boxes[index], index);
+    if (splitter.waiting() > most) return boxes;
+  }
   splitter.split(most);
   if (splitter.saved() > 0 && splitter.saved() >= static_cast<double>(options.leastGainInAll) * sums.area)
     splitter.replace(boxes);

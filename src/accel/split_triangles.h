@@ -17,7 +17,8 @@ struct SplitOptions {
 };
 
 /// Boxes of parts of triangles instead of `boxes` of whole triangles, where that pays; a triangle's index may
-/// then stand with several boxes, which together hold it. Always the box of most waste is cut, at the coarsest
+/// then stand with several boxes, which together hold it. Where more boxes are worth a cut than there may be
+/// cuts, none is made: one each would help little. Else always the box of most waste is cut, at the coarsest
 /// plane of those that halve the scene's box again and again. The same whatever the number of threads. [After
 /// Ernst, Greiner 2007, Early split clipping for bounding volume hierarchies; planes as Karras, Aila 2013, Fast
 /// parallel construction of high-quality bounding volume hierarchies, section 5]

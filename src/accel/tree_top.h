@@ -13,7 +13,7 @@ namespace importon {
 struct TreeTopOptions {
   std::uint32_t innerNodes = 128;   // that may change their children: those of the largest boxes
   std::uint32_t minPrimitives = 4;  // of such a node
-  int rounds = 3;
+  int rounds = 2;
 };
 
 /// Takes subtrees out of the tree, largest boxes first, and puts each where the sum of all boxes' areas grows

@@ -106,10 +106,12 @@ TEST_F(AlphaTest, TrianglesThatAreCutStopTheirShareOfRaysOnce) {
   const uint sheet = builder.material(withAlpha(static_cast<float>(kAlpha), kMaterialAlphaBlend));
   for (int i = 0; i < 40; ++i)
     builder.triangle(sheet, {0.05 * i, 0, 0}, {1 + 0.05 * i, 1, 1}, {0.05 + 0.05 * i, 0, 0});
+  for (int i = 0; i < 400; ++i)  // so that there may be parts
+    builder.triangle(sheet, {0.005 * i, 0, 1}, {0.005 * i + 0.001, 0, 1}, {0.005 * i, 0, 0.999});
   builder.pointLight({0.5, 2, 0.5}, vec3(1.0f));
   const Scene scene = builder.finish();
   const Bvh bvh = buildBvh(scene.positions, scene.triangles);
-  EXPECT_GT(std::count_if(bvh.nodes.begin(), bvh.nodes.end(), isLeaf), 40);
+  EXPECT_GT(std::count_if(bvh.nodes.begin(), bvh.nodes.end(), isLeaf), 440);
   RayTracer opaque(context(), bvh), tracer(context(), bvh, scene);
   std::vector<Ray> rays = raysDown(scene);
   for (Ray& ray : rays) ray.tMax = 10 * (scene.boundsMax.y - scene.boundsMin.y);

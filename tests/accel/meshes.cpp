@@ -87,7 +87,7 @@ Mesh randomTriangles(std::size_t count, float size, std::uint32_t seed) {
 
 Mesh slats(std::size_t count, std::uint32_t seed) {
   Random random(seed);
-  Mesh mesh;
+  Mesh mesh = randomTriangles(10 * count, 0.005f, seed);
   for (std::size_t i = 0; i < count; ++i) {
     const vec3 start = random.cube(), along = 0.6f * random.direction();
     const vec3 across = 0.01f * glm::normalize(glm::cross(along, random.direction()));

@@ -21,7 +21,8 @@ struct Mesh {
 
 /// Triangles of random place and shape, edges about `size`, in the unit cube.
 [[nodiscard]] Mesh randomTriangles(std::size_t count, float size, std::uint32_t seed);
-/// Triangles of random place and direction in the unit cube, about 0.6 long and a hundredth of it wide.
+/// Triangles of random place and direction in the unit cube, about 0.6 long and a hundredth of it wide, among
+/// ten times as many tiny ones.
 [[nodiscard]] Mesh slats(std::size_t count, std::uint32_t seed);
 /// A wavy height field of 2·cells² triangles over the unit square, vertices shared.
 [[nodiscard]] Mesh heightField(std::uint32_t cells);
