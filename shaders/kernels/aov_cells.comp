@@ -7,6 +7,8 @@
 #include "bindings/importance.glsl"
 #include "bindings/irradiance.glsl"
 
+layout(binding = kBindingIrradianceTexels) uniform usamplerBuffer cellSums;
+layout(binding = kBindingCellPlaces) uniform usamplerBuffer cellPlaces;
 layout(scalar, binding = kBindingAov) writeonly buffer AovBlock { float aov[]; };
 layout(push_constant, scalar) uniform PushBlock { AovCellsPush push; };
 
@@ -19,9 +21,8 @@ void main() {
   const Surface s = loadSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction);
   const uint side = cellSide(hit.triangle, vec2(hit.u, hit.v), s.isFront);
   const uint base = kAovFloats * slot + 1u;
-  float area;
-  cellIrradiance(side, area);
+  const float area = uintBitsToFloat(texelFetch(cellPlaces, int(side / 2u)).y);
   aov[base + kAovImportance] = importanceAt(params.globalMap, s.position, s.geometricNormal);
   aov[base + kAovRequired] = requiredDensity(params.globalMap, s.position, s.geometricNormal);
-  aov[base + kAovDensity] = cellPhotons(side) > 0u ? 1.0 / max(area, 1e-30) : 0.0;
+  aov[base + kAovDensity] = texelFetch(cellSums, int(2u * side + 1u)).z > 0u ? 1.0 / max(area, 1e-30) : 0.0;
 }

@@ -30,6 +30,8 @@ void main() {
       if (high != 0u) atomicAdd(irradiance[at + 2u * c + 1u], high);
       sums[c] = addFixed(sums[c], add);
     }
+    const vec3 small = units * params.photonUnits;
+    atomicAdd(irradiance[at + 7u], uint(min(dot(small, small), 65536.0) + unitFloat(hash(random + 3u))));
     lit += uint(atomicAdd(irradiance[at + 6u], 1u) == 0u);
     ++hits;
   }

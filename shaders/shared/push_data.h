@@ -144,6 +144,18 @@ struct IrradianceEstimatePush {
   uint levels;  // counter with the map's grid levels
 };
 
+/// kernels/cell_group.comp
+struct CellGroupPush {
+  uint first;  // group of the level
+  uint count;
+  uint cells;
+};
+
+/// kernels/cell_smooth.comp
+struct CellSmoothPush {
+  uint cells;
+};
+
 /// kernels/map_irradiance.comp
 struct MapIrradiancePush {
   uint source;

@@ -50,7 +50,8 @@ struct Parameters {
   uint cameraMedium;         // material of the solid that the camera is in, kNone: none
   float importonFlux;        // pixels that each importon starts with
   float irradianceUnits;     // of fixed-point flux per W in the irradiance map
-  float irradianceScale;     // W per such unit, for one pass
+  float photonUnits;         // per such unit: flux of an average photon is 4 of them
+  float irradianceScale;     // W per photonUnit, for one pass
   MapSettings causticMap;
   MapSettings globalMap;
 };

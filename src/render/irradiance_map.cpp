@@ -1,7 +1,5 @@
 #include "render/irradiance_map.h"
 
-#include <bit>
-
 #include "shared/bindings.h"
 #include "shared/push_data.h"
 
@@ -11,13 +9,14 @@ using gpu::TexelFormat;
 
 namespace {
 
-constexpr std::size_t kWordsPerSide = 8;  // six of flux, photons, area: shaders/bindings/irradiance.glsl
+constexpr std::size_t kBytesPerGroup = 64;    // two sides: shaders/bindings/cell_groups.glsl
+constexpr std::size_t kWordsPerSide = 8;      // six of flux, photons, squares: shaders/kernels/irradiance_add.comp
 
-std::vector<uint> emptySides(const SurfaceCells& cells) {
-  std::vector<uint> words(2 * kWordsPerSide * cells.areas.size());
-  for (std::size_t i = 0; i < 2 * cells.areas.size(); ++i)
-    words[kWordsPerSide * i + 7] = std::bit_cast<uint>(cells.areas[i / 2]);
-  return words;
+/// A buffer of at least one element.
+template <class T>
+gpu::Buffer makeTexels(gpu::Context& context, const char* name, std::span<const T> values, TexelFormat format) {
+  static constexpr T kNothing{};
+  return gpu::makeBuffer(context, name, values.empty() ? std::span<const T>(&kNothing, 1) : values, format);
 }
 
 std::uint64_t wordPair(std::span<const uint> words, std::size_t at) {
@@ -28,12 +27,23 @@ std::uint64_t wordPair(std::span<const uint> words, std::size_t at) {
 
 IrradianceMap::IrradianceMap(gpu::Context& context, const SurfaceCells& cells, std::uint64_t batchHits, float units,
                              int firstPass)
+    : IrradianceMap(context, cells, growCellTree(cells), batchHits, units, firstPass) {}
+
+IrradianceMap::IrradianceMap(gpu::Context& context, const SurfaceCells& cells, const CellTree& tree,
+                             std::uint64_t batchHits, float units, int firstPass)
     : units_(units),
       firstPass_(firstPass),
+      levels_(tree.levels),
+      groups_(makeTexels(context, "cell groups", std::span<const uvec4>(tree.groups), TexelFormat::uint4)),
+      members_(makeTexels(context, "cell members", std::span<const uint>(tree.members), TexelFormat::uint1)),
+      places_(makeTexels(context, "cell places", std::span<const uvec2>(tree.cells), TexelFormat::uint2)),
+      groupLight_(context, "light on cell groups", kBytesPerGroup * std::max<std::size_t>(tree.groups.size(), 1),
+                  TexelFormat::uint4),
+      irradiance_(context, "irradiance of cells", 2 * sizeof(uvec4) * cells.areas.size(), TexelFormat::uint4),
       surface_(gpu::makeBuffer(context, "surface cells", std::span<const uvec2>(cells.triangles), TexelFormat::uint2)),
       recordCells_(context, "cells of hits", batchHits * sizeof(uvec2)),
       totals_(gpu::makeBuffer(context, "irradiance totals", std::span<const uint>(std::vector<uint>(6)))) {
-  const std::vector<uint> empty = emptySides(cells);
+  const std::vector<uint> empty(2 * kWordsPerSide * cells.areas.size());
   for (gpu::Buffer& half : halves_)
     half = gpu::makeBuffer(context, "irradiance", std::span<const uint>(empty), TexelFormat::uint4);
 }
@@ -43,6 +53,23 @@ void IrradianceMap::bind(gpu::BindingTable& table, int pass) const {
   table.set(kBindingRecordCells, recordCells_);
   table.set(kBindingIrradiance, halves_[half(pass)]);
   table.set(kBindingIrradianceTexels, halves_[half(pass)]);
+  table.set(kBindingCellIrradiance, irradiance_);
+  table.set(kBindingCellPlaces, places_);
+}
+
+void IrradianceMap::smooth(const Stage& stage) const {
+  gpu::BindingTable table = stage.work.table;
+  table.set(kBindingCellGroups, groups_);
+  table.set(kBindingCellMembers, members_);
+  table.set(kBindingGroupLight, groupLight_);
+  table.set(kBindingGroupLightOut, groupLight_);
+  table.set(kBindingCellIrradianceOut, irradiance_);
+  const auto cells = static_cast<uint>(places_.bytes() / sizeof(uvec2));
+  for (std::size_t level = 0; level + 1 < levels_.size(); ++level) {
+    const uint count = levels_[level + 1] - levels_[level];
+    stage.recorder.dispatch(stage.kernels.cellGroup, table, 2 * count, CellGroupPush{levels_[level], count, cells});
+  }
+  stage.recorder.dispatch(stage.kernels.cellSmooth, table, 2 * cells, CellSmoothPush{cells});
 }
 
 void IrradianceMap::addBatch(const Stage& stage) const {
@@ -71,6 +98,12 @@ PhotonMapCounts IrradianceMap::readFlux() const {
   return counts;
 }
 
-std::uint64_t IrradianceMap::bytes() const { return surface_.bytes() + halves_[0].bytes() + halves_[1].bytes(); }
+std::uint64_t IrradianceMap::bytes() const {
+  std::uint64_t bytes = 0;
+  for (const gpu::Buffer* buffer : {&surface_, &halves_[0], &halves_[1], &groups_, &members_, &places_, &groupLight_,
+                                    &irradiance_})
+    bytes += buffer->bytes();
+  return bytes;
+}
 
 }  // namespace importon

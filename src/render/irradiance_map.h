@@ -1,7 +1,9 @@
 /// The global photon map in cells of known area: of all photons that fall in a cell the first one takes a record, and
 /// the power of the others goes to it. A gather ray reads the record of the cell that it meets, so no light is lost at
-/// edges, and what all passes brought counts. [Arvo 1986, Heckbert 1990; Christensen 1999]
+/// edges, and what all passes brought counts. Cells are smaller than their photons are many: neighbours share theirs
+/// where they do not differ by more than noise. [Arvo 1986, Heckbert 1990; Christensen 1999]
 #pragma once
+#include "render/cell_tree.h"
 #include "render/photon_map.h"
 #include "render/surface_cells.h"
 
@@ -17,6 +19,9 @@ class IrradianceMap {
   void bind(gpu::BindingTable& table, int pass) const;
   /// Adds the batch of hits in the workspace's records to the half that is bound in its table.
   void addBatch(const Stage& stage) const;
+  /// Makes what gather rays read of the half that is bound in the workspace's table: irradiance averaged over groups of
+  /// cells, as far as photons do not show that it differs.
+  void smooth(const Stage& stage) const;
   [[nodiscard]] int firstPass() const { return firstPass_; }
   /// Says that the photons of all passes from the first one to before `end` are in the map.
   void setPasses(int end) { passes_ = end - firstPass_; }
@@ -29,9 +34,13 @@ class IrradianceMap {
   [[nodiscard]] std::uint64_t bytes() const;
 
  private:
+  IrradianceMap(gpu::Context& context, const SurfaceCells& cells, const CellTree& tree, std::uint64_t batchHits,
+                float units, int firstPass);
   static std::size_t half(int pass) { return static_cast<std::size_t>(pass % 2); }
   float units_;
   int firstPass_, passes_ = 0;
+  std::vector<uint> levels_;                                         // of groups, as in CellTree
+  gpu::Buffer groups_, members_, places_, groupLight_, irradiance_;  // irradiance: what is read
   gpu::Buffer surface_, recordCells_, totals_;
   std::array<gpu::Buffer, 2> halves_;
 };

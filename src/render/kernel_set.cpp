@@ -81,7 +81,9 @@ Entries listPhotons() {
           {&KernelSet::guideLearn, "learn guide", "guide_learn", {}},
           {&KernelSet::photonEmitGuided, "guided photon rays", "photon_emit", {{kSpecIsGuided, 1}}},
           {&KernelSet::hitCount, "count hits", "hit_count", {}},
-          {&KernelSet::irradianceAdd, "add to irradiance", "irradiance_add", {}}};
+          {&KernelSet::irradianceAdd, "add to irradiance", "irradiance_add", {}},
+          {&KernelSet::cellGroup, "light of cell groups", "cell_group", {}},
+          {&KernelSet::cellSmooth, "irradiance of cells", "cell_smooth", {}}};
 }
 
 /// Photons kept in a map, their density controlled by cells.

@@ -16,6 +16,7 @@ struct KernelSet {
       importonEntries, importonPoints,
       importonDensity, importonKey, importonResolve;
   gpu::Kernel photonEmit, photonEmitGuided, photonScatter, causticScatter, guideLearn, irradianceAdd, aovCells, siteAsk;
+  gpu::Kernel cellGroup, cellSmooth;
   gpu::Kernel photonScatterGuided, siteEmit, scatterLearn;  // where photons scatter by a guide
   gpu::Kernel recordSelect, hitCount, hitKey, photonQuota, photonStore, photonThin, pilotCount, photonKey,
       photonEntries, photonEntryPoints,

@@ -198,6 +198,7 @@ void RenderSession::shootFor(MapKind kind, bool isFirst) {
     else if (isLearning) selectRecords(*stage_, recordMask(kind));
     if (isLearning) guide->learn(*stage_, importance, meanImportance());
   }
+  if (fillsCells) irradiance_->smooth(*stage_);
   if (!map) return;
   map->finish(*stage_, importance, plan_.nearestPhotons);
   if (isGlobal && job_.irradiance != IrradianceCache::off)

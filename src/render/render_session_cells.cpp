@@ -11,11 +11,17 @@ namespace {
 
 constexpr std::uint32_t kPilotPhotons = 1u << 14;  // show where photons fall
 constexpr double kFloorPhotonsPerCell = 2;         // of the density floor, for the largest cells
-constexpr double kHitsPerCell = 4;                 // of a pass, at least, on average
+constexpr double kHitsPerCell = 0.75;              // of a pass, at least, on average
 
 /// The map is cut anew, finer, at pass 7, 63, 511, ...: the photons before count for an eighth of those that follow.
 int generationOf(int pass) { return (std::bit_width(static_cast<unsigned>(pass + 1)) - 1) / 3; }
 int firstPassOf(int generation) { return (1 << (3 * generation)) - 1; }
+
+/// Squared flux of an average photon is then 16: a cell's sum holds some 10^8 of them.
+float photonUnits(const Parameters& parameters, std::uint32_t photons) {
+  const double flux = static_cast<double>(parameters.totalPower) * static_cast<double>(parameters.irradianceUnits);
+  return flux > 0 ? static_cast<float>(4.0 * std::max(photons, 1u) / flux) : 1;
+}
 
 }  // namespace
 
@@ -54,6 +60,7 @@ void RenderSession::cutCells(int generation) {
   // Room for all passes of the generation; units as fine as that allows, for the light of weak lamps beside strong ones.
   parameters_.irradianceUnits = parameters_.fluxScale / std::ldexp(1.0f, 3 * (generation + 1));
   irradiance_.reset();  // its memory is needed
+  parameters_.photonUnits = photonUnits(parameters_, plan_.whole.photons);
   irradiance_.emplace(device_->context, cutSurfaces(scene_, density, plan_.mostCells, job_.threads), plan_.workspace.records,
                       parameters_.irradianceUnits, firstPassOf(generation));
 }
@@ -61,7 +68,7 @@ void RenderSession::cutCells(int generation) {
 void RenderSession::prepareCells(int pass) {
   const int generation = generationOf(pass);
   if (!irradiance_ || irradiance_->firstPass() != firstPassOf(generation)) cutCells(generation);
-  parameters_.irradianceScale = irradiance_->scale(pass);
+  parameters_.irradianceScale = irradiance_->scale(pass) / parameters_.photonUnits;
   irradiance_->bind(work_->table, pass);
 }
 

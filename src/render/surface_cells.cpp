@@ -68,7 +68,8 @@ std::uint64_t sharedCell(const Scene& scene, const Triangle& t, double density) 
   const vec3 n = glm::cross(p1 - p0, p2 - p0);
   const float length = glm::length(n);
   const vec3 facing = length > 0 ? n / length : vec3(0);
-  std::uint64_t key = static_cast<std::uint64_t>(static_cast<std::int64_t>(size));
+  std::uint64_t key = static_cast<std::uint64_t>(static_cast<std::int64_t>(size)) * 0x9E3779B97F4A7C15u;
+  key ^= key >> 29;
   for (int axis = 0; axis < 3; ++axis) {
     const double at = static_cast<double>((p0[axis] + p1[axis] + p2[axis]) / 3 - scene.boundsMin[axis]) / edge;
     const auto part = static_cast<std::uint64_t>(std::clamp(at, 0.0, 1e15)) << 3 | static_cast<std::uint64_t>(std::round(facing[axis] * 1.9f) + 2);

@@ -52,7 +52,8 @@ Workspace::Workspace(gpu::Context& c, const WorkspaceSize& s)
   table.set(kBindingLightsSeen, lightsSeen);
   table.set(kBindingLightsSeenOut, lightsSeen);
   table.set(kBindingSurfaceCells, noCellsOfTriangles);
-  for (const uint binding : {kBindingRecordCells, kBindingIrradiance, kBindingIrradianceTexels})
+  table.set(kBindingCellPlaces, noCellsOfTriangles);
+  for (const uint binding : {kBindingRecordCells, kBindingIrradiance, kBindingIrradianceTexels, kBindingCellIrradiance})
     table.set(binding, noCells);
   table.set(kBindingLookups, lookups);
   table.set(kBindingSamplePlan, noSamplePlan);
