@@ -68,8 +68,43 @@ void interpolateExtras(uvec3 vertices, vec3 weights, out vec4 tangent, out vec4 
   }
 }
 
-vec4 texturedOr1(uint texture, vec2 uv0, vec2 uv1) {
-  return texture == kNone ? vec4(1.0) : sampleTexture(texture, uv0, uv1);
+/// A material's textures: what each tells is multiplied with the material's own value, or is a normal.
+struct SurfaceTextures {
+  vec3 baseColor, emission, specularColor;
+  float roughness, metallic, transmission, specular, coat, coatRoughness;
+  vec3 normal, coatNormal;  // in tangent space; 0: none
+};
+
+/// Samples those that the material has, one after the other in one place: a kernel then holds the sampling once, and
+/// a hit costs as many samples as the material has textures, where lavapipe would run both sides of every branch.
+SurfaceTextures sampleTextures(uint base, uint baseColorTexture, vec2 uv0, vec2 uv1) {
+  const uvec4 m6 = materialTexel(base + 6u), m7 = materialTexel(base + 7u);
+  const uint coatNormalTexture = kHasNormalMaps && kHasClearcoat ? materialTexel(base + 8u).x : kNone;
+  const uint normalTexture = kHasNormalMaps ? m6.y : kNone;
+  uint left = uint(baseColorTexture != kNone) | uint(m6.x != kNone) << 1 | uint(normalTexture != kNone) << 2 |
+              uint(m6.z != kNone) << 3 | uint(m6.w != kNone) << 4 | uint(m7.x != kNone) << 5 | uint(m7.y != kNone) << 6 |
+              uint(coatNormalTexture != kNone) << 9;
+  if (kHasClearcoat) left |= uint(m7.z != kNone) << 7 | uint(m7.w != kNone) << 8;
+  SurfaceTextures t =
+      SurfaceTextures(vec3(1.0), vec3(1.0), vec3(1.0), 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, vec3(0.0), vec3(0.0));
+  while (left != 0u) {
+    const int k = findLSB(left);
+    left &= left - 1u;
+    const uint texture = k == 0 ? baseColorTexture : k < 5 ? m6[k - 1] : k < 9 ? m7[k - 5] : coatNormalTexture;
+    const vec4 v = sampleTexture(texture, uv0, uv1);
+    if (k == 0) t.baseColor = v.rgb;
+    if (k == 1) t.roughness = v.g;
+    if (k == 1) t.metallic = v.b;
+    if (k == 2) t.normal = v.xyz * 2.0 - 1.0;
+    if (k == 3) t.emission = v.rgb;
+    if (k == 4) t.transmission = v.r;
+    if (k == 5) t.specular = v.a;
+    if (k == 6) t.specularColor = v.rgb;
+    if (k == 7) t.coat = v.r;
+    if (k == 8) t.coatRoughness = v.g;
+    if (k == 9) t.coatNormal = v.xyz * 2.0 - 1.0;
+  }
+  return t;
 }
 
 /// Turns the shading normal back to the ray's side where it faces away, so that no light leaks through.
@@ -82,9 +117,9 @@ vec3 keepOnRaySide(vec3 shadingNormal, vec3 geometricNormal, vec3 direction) {
   return normalize(mix(shadingNormal, geometricNormal, clamp(t, 0.0, 1.0)));
 }
 
-vec3 mappedNormal(uint texture, float scale, vec3 normal, vec4 tangent, vec2 uv0, vec2 uv1) {
-  if (texture == kNone || dot(tangent.xyz, tangent.xyz) < 1e-12) return normal;
-  vec3 m = sampleTexture(texture, uv0, uv1).xyz * 2.0 - 1.0;
+/// `normal` turned as a normal map says: `m` in tangent space, 0 without a map.
+vec3 mappedNormal(vec3 m, float scale, vec3 normal, vec4 tangent) {
+  if (m == vec3(0.0) || dot(tangent.xyz, tangent.xyz) < 1e-12) return normal;
   m.xy *= scale;
   const vec3 t = normalize(tangent.xyz - normal * dot(normal, tangent.xyz));
   return normalize(m.x * t + m.y * tangent.w * cross(normal, t) + m.z * normal);
@@ -129,31 +164,26 @@ Surface loadSurface(uint triangle, vec2 uvWeights, vec3 direction) {
   float coatRoughness = uintBitsToFloat(m5.y);
   vec3 coatNormal = normal;
   if (kHasTextures || kHasVertexColors) {
-    const uvec4 m6 = materialTexel(base + 6u), m7 = materialTexel(base + 7u);
     vec2 uv0, uv1;
     interpolateUv(indices.xyz, weights, uv0, uv1);
     vec4 tangent = vec4(0.0), color = vec4(1.0);
     if (kHasNormalMaps || kHasVertexColors) interpolateExtras(indices.xyz, weights, tangent, color);
     if (kHasVertexColors) s.baseColor *= color.rgb;
     if (kHasTextures) {
-      s.baseColor *= texturedOr1(m5.w, uv0, uv1).rgb;
-      const vec4 mr = texturedOr1(m6.x, uv0, uv1);
-      roughness *= mr.g;
-      s.metallic *= mr.b;
-      s.emission *= texturedOr1(m6.z, uv0, uv1).rgb;
-      s.transmission *= texturedOr1(m6.w, uv0, uv1).r;
-      specular *= texturedOr1(m7.x, uv0, uv1).a;
-      specularColor *= texturedOr1(m7.y, uv0, uv1).rgb;
-      if (kHasClearcoat) {
-        s.coat *= texturedOr1(m7.z, uv0, uv1).r;
-        coatRoughness *= texturedOr1(m7.w, uv0, uv1).g;
-      }
+      const SurfaceTextures t = sampleTextures(base, m5.w, uv0, uv1);
+      s.baseColor *= t.baseColor;
+      roughness *= t.roughness;
+      s.metallic *= t.metallic;
+      s.emission *= t.emission;
+      s.transmission *= t.transmission;
+      specular *= t.specular;
+      specularColor *= t.specularColor;
+      s.coat *= t.coat;
+      coatRoughness *= t.coatRoughness;
+      if (kHasNormalMaps && kHasClearcoat)
+        coatNormal = mappedNormal(t.coatNormal, uintBitsToFloat(materialTexel(base + 8u).y), normal, tangent);
+      if (kHasNormalMaps) normal = mappedNormal(t.normal, m4.z, normal, tangent);
     }
-    if (kHasNormalMaps && kHasClearcoat) {
-      const uvec4 m8 = materialTexel(base + 8u);
-      coatNormal = mappedNormal(m8.x, uintBitsToFloat(m8.y), normal, tangent, uv0, uv1);
-    }
-    if (kHasNormalMaps) normal = mappedNormal(m6.y, m4.z, normal, tangent, uv0, uv1);
   }
   s.alpha = roughness * roughness;
   s.coatAlpha = coatRoughness * coatRoughness;
