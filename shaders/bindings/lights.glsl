@@ -1,13 +1,13 @@
 // The lights' buffers and the accessors that lib/light.glsl asks for.
 #ifndef IMPORTON_BINDINGS_LIGHTS_GLSL
 #define IMPORTON_BINDINGS_LIGHTS_GLSL
+#include "bindings/light_tree.glsl"
 #include "bindings/scene.glsl"
 
 layout(binding = kBindingLights) uniform usamplerBuffer lightTexels;
 layout(scalar, binding = kBindingLightAlias) readonly buffer LightAliasBlock { LightAlias lightAlias[]; };
 
 layout(binding = kBindingLightOfTriangle) uniform usamplerBuffer lightOfTriangleTexels;
-layout(binding = kBindingLightTree) uniform usamplerBuffer lightTreeTexels;
 layout(binding = kBindingEnvironment) uniform usamplerBuffer environmentTexels;
 layout(binding = kBindingEnvironmentAlias) uniform usamplerBuffer environmentAliases;
 
@@ -15,7 +15,6 @@ uint lightOfTriangle(uint triangle) { return texelFetch(lightOfTriangleTexels, i
 uvec4 lightTexel(uint i) { return texelFetch(lightTexels, int(i)); }
 LightAlias lightAliasAt(uint i) { return lightAlias[i]; }
 
-uvec4 lightTreeTexel(uint i) { return texelFetch(lightTreeTexels, int(i)); }
 uvec4 environmentTexel(uint i) { return texelFetch(environmentTexels, int(i)); }
 uvec2 environmentAlias(uint i) { return texelFetch(environmentAliases, int(i)).xy; }
 uvec2 environmentSize() { return params.environmentSize; }

@@ -1,13 +1,10 @@
 // Notes which lights reach which voxels.
 #ifndef IMPORTON_BINDINGS_LIGHTS_SEEN_GLSL
 #define IMPORTON_BINDINGS_LIGHTS_SEEN_GLSL
-#include "bindings/parameters.glsl"
+#include "bindings/light_tree.glsl"
+#include "lib/light_voxel.glsl"
 
 layout(scalar, binding = kBindingLightsSeenOut) buffer LightsSeenBlock { uint lightsSeenOut[]; };
-
-layout(binding = kBindingLightTree) uniform usamplerBuffer lightTreeTexels;
-uvec4 lightTreeTexel(uint i) { return texelFetch(lightTreeTexels, int(i)); }
-#include "lib/light_voxel.glsl"
 
 /// Notes that light comes from `light` to here without a bounce.
 void seeLight(uint light, vec3 position) {

@@ -65,7 +65,7 @@ bool isLightSeen(uvec2 seen, uint index) { return ((index < 32u ? seen.x >> inde
 /// The weight of choosing one of at most kLinearLights lights.
 float weightOfLight(uint index, vec3 x, uvec2 seen) {
   const float weight = lightWeight(index, x);
-  return isLightSeen(seen, index) ? weight : kUnseenLight * weight;
+  return isLightSeen(seen, index) ? weight : unseenLight() * weight;
 }
 
 /// Chooses one of the weighed lights; sums their weights.

@@ -2,7 +2,8 @@
 // knows where its lights are, how much they emit and where to. [Conty Estevez and Kulla 2018]
 // The kernel defines `uvec4 lightTreeTexel(uint index)` before including this file: two per node (centre and radius of
 // its lights' bounds; power, axis and cosine of the half-angle of the cone of their normals, and what it holds), the
-// root first, a node's first child right after it; then the ways from the root to each light, four per texel.
+// root first, a node's first child right after it; then the ways from the root to each light, four per texel. And `float
+// unseenLight()`: the worth of lights that no photon has come from to the surroundings, in units of seen ones.
 #ifndef IMPORTON_LIB_LIGHT_TREE_GLSL
 #define IMPORTON_LIB_LIGHT_TREE_GLSL
 #include "lib/packing.glsl"
@@ -11,9 +12,6 @@
 const uint kTreeLeaf = 0x80000000u;  // of a node's last word: the rest is a light; else the second child
 const uint kLinearLights = 64u;  // up to so many, every light is weighed at every point; more are in the tree
 const uint kGroupBits = 6u;      // so many steps down from the root lead to one of 64 groups of lights
-
-/// What lights are worth that no photon has come from to the surroundings: hidden, or not yet found.
-const float kUnseenLight = 0.05;
 
 struct TreeNode {
   float weight;
@@ -64,7 +62,7 @@ TreeNode treeNodeAt(uint node, vec3 x) {
 
 /// A node's weight at x, less where none or few of its groups are seen there.
 float seenWeight(TreeNode at, uvec2 seen, uint way, uint depth) {
-  return at.weight * mix(kUnseenLight, 1.0, seenShare(seen, way, depth, at.isUndivided));
+  return at.weight * mix(unseenLight(), 1.0, seenShare(seen, way, depth, at.isUndivided));
 }
 
 /// A light for x, by descending from the root; u in [0, 1) chooses. `seen`: a bit for each group of lights that reaches

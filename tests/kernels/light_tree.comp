@@ -26,6 +26,7 @@ layout(push_constant, scalar) uniform Push {
 };
 
 uvec4 lightTreeTexel(uint i) { return texelFetch(tree, int(i)); }
+float unseenLight() { return 0.05; }
 #include "lib/light_tree.glsl"
 
 void main() {
