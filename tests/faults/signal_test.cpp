@@ -135,7 +135,7 @@ void writeCrowd(const TemporaryFolder& folder, unsigned triangles) {
 
 TEST(Signals, SlowWhileTheTreeIsBuiltWriteNothing) {
   const TemporaryFolder folder;
-  writeCrowd(folder, 1'500'000);
+  writeCrowd(folder, 5'000'000);
   for (const int signal : {SIGINT, SIGTERM}) {
     bool isSent = false;
     test::RunOptions options;
