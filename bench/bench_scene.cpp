@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <limits>
 #include <numbers>
@@ -82,6 +83,8 @@ class SurfaceSampler {
 };
 
 }  // namespace
+
+double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 std::span<const char* const> benchSceneNames() {
   static constexpr std::array kNames{"height_field",  "cornell-box", "veach-bidir",       "modern-hall", "water-caustic",

@@ -14,6 +14,9 @@ struct BenchScene {
   std::vector<Triangle> triangles;
 };
 
+/// Processor time of all threads of this process, in seconds.
+[[nodiscard]] double processorSeconds();
+
 /// Names that loadBenchScene knows.
 [[nodiscard]] std::span<const char* const> benchSceneNames();
 /// One of the project's own scenes, else of the folder IMPORTON_BENCH_SCENES in the environment, else of the shared

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <vector>
 
 #include "accel/bvh.h"
@@ -18,9 +17,6 @@ namespace {
 
 using namespace importon;
 using namespace importon::bench;
-
-/// Processor time of all threads of this process, in seconds.
-double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + std::ssize(values) / 2;

@@ -7,7 +7,6 @@
 #include <atomic>
 #include <chrono>
 #include <cstring>
-#include <ctime>
 #include <string>
 #include <thread>
 
@@ -56,9 +55,9 @@ EmbreeScene::EmbreeScene(const BenchScene& scene, int threads)
   rtcAttachGeometry(scene_, geometry);
   rtcReleaseGeometry(geometry);
   const auto start = std::chrono::steady_clock::now();
-  const std::clock_t processorStart = std::clock();
+  const double processorStart = processorSeconds();
   rtcCommitScene(scene_);
-  buildProcessorSeconds_ = static_cast<double>(std::clock() - processorStart) / CLOCKS_PER_SEC;
+  buildProcessorSeconds_ = processorSeconds() - processorStart;
   buildSeconds_ = secondsSince(start);
 }
 

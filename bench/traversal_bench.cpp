@@ -5,7 +5,6 @@
 
 #include <chrono>
 #include <cstdlib>
-#include <ctime>
 #include <optional>
 
 #include "accel/ray_tracer.h"
@@ -29,9 +28,6 @@ std::string setting(const char* name) {
   const char* const value = std::getenv(name);
   return value != nullptr ? value : "";
 }
-
-/// Processor time of all threads of this process, in seconds.
-double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 void measureTraversal(benchmark::State& state, const BenchScene& scene, bool isAnyHit) {
   gpu::Context context({.device = setting("IMPORTON_BENCH_DEVICE")});
