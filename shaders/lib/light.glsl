@@ -31,7 +31,6 @@ Light lightAt(uint index) {
   light.isTwoSided = t3.y;
   light.cosInner = uintBitsToFloat(t3.z);
   light.cosOuter = uintBitsToFloat(t3.w);
-  light.range = 0.0;
   return light;
 }
 

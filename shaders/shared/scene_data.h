@@ -100,7 +100,6 @@ struct Light {
   float power;       // W, mean of the channels: what it emits in all; weight for choosing lights
   float area;        // m², of one side
   vec3 emission;     // triangle: mean radiance W/(m² sr); point, spot: W/sr; directional: W/m²; environment: W/(m² sr)
-  float range;       // point, spot: m; 0: none
   vec3 position;     // point, spot; triangle: its centroid
   float cosInner;    // spot
   vec3 direction;    // spot, directional: where the light goes; triangle: normal of the front; unit length

@@ -10,7 +10,6 @@
 #include "app/option_checks.h"
 #include "app/render_options.h"
 #include "app/study_options.h"
-#include "app/talk_options.h"
 #include "base/error.h"
 
 namespace importon {
@@ -144,9 +143,7 @@ void Parser::addMerge() {
 
 Command Parser::chosen() {
   if (renderApp->parsed()) {
-    if (render.isTalk) applyTalk(*renderApp, render.job);
-    checkTalkOptions(*renderApp, render.job);
-    checkRenderCommand(render);
+    finishRenderCommand(*renderApp, render);
     return render;
   }
   if (infoApp->parsed()) return info;

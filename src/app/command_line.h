@@ -15,6 +15,7 @@ namespace importon {
 struct RenderCommand {
   RenderJob job;
   bool isTalk = false;  // --talk; its settings stand in the job
+  std::vector<std::string> photonOptions;  // names of the given options that mean nothing to the path tracer
   Log::Verbosity verbosity = Log::Verbosity::normal;
 };
 

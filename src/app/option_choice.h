@@ -17,8 +17,8 @@ namespace importon {
 }
 
 /// An option that sets `target` to the value that belongs to the name given.
-template <class Value>
-CLI::Option* addChoice(CLI::App& app, const std::string& name, std::map<std::string, Value> choices, Value& target,
+template <class Value, class Target>
+CLI::Option* addChoice(CLI::App& app, const std::string& name, std::map<std::string, Value> choices, Target& target,
                        const std::string& help) {
   const auto assign = [choices, &target](const std::string& text) { target = choices.at(text); };
   std::vector<std::string> names;

@@ -5,9 +5,12 @@
 #include "app/progress.h"
 #include "app/reference_errors.h"
 #include "app/stats_file.h"
+#include "base/clock.h"
 #include "fmt/format.h"
+#include "fmt/ranges.h"
 #include "io/image.h"
 #include "io/output_file.h"
+#include "render/gather_source.h"
 #include "render/job_fingerprint.h"
 #include "render/renderer.h"
 #include "scene/gltf_loader.h"
@@ -15,27 +18,22 @@
 namespace importon {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 void checkOutputs(const RenderJob& job) {
   for (const std::filesystem::path& file : {job.output, job.png, job.stats, job.checkpoint}) {
     if (!file.empty()) checkWritable(file);
   }
 }
 
-/// Photon options that the path tracer has no use for are told of, not passed over in silence.
-void warnOfUnusedOptions(const RenderJob& job, Log& log) {
-  if (job.integrator != Integrator::path) return;
-  const auto warnIf = [&](bool isGiven, const char* option) {
-    if (isGiven) log.warn("unused option", fmt::format("{} means nothing to --integrator path", option));
-  };
-  warnIf(job.photons.has_value(), "--photons");
-  warnIf(job.importons.has_value(), "--importons");
-  warnIf(job.constantDensity.has_value(), "--constant-density");
+void warnOfUnusedOptions(const RenderCommand& command, Log& log) {
+  if (command.job.integrator != Integrator::path || command.photonOptions.empty()) return;
+  log.warn("unused option",
+           fmt::format("the path tracer has no use for {}", fmt::join(command.photonOptions, ", ")));
+}
+
+void tellGatherSource(const RenderJob& job, Log& log) {
+  const std::string_view reason = photonReason(job);
+  if (job.integrator == Integrator::path) return;
+  log.detail(fmt::format("gather rays read {}{}{}", gatherSourceName(job), reason.empty() ? "" : ", by ", reason));
 }
 
 /// Nothing that changes from run to run, so that the same job gives the same bytes.
@@ -75,7 +73,8 @@ ExitStatus runRender(const RenderCommand& command, const std::atomic<bool>& isIn
   const RenderJob& job = command.job;
   checkOutputs(job);
   Log log(command.verbosity);
-  warnOfUnusedOptions(job, log);
+  warnOfUnusedOptions(command, log);
+  tellGatherSource(job, log);
 
   const Clock::time_point loadStart = Clock::now();
   const Scene scene = loadGltf(job.scene, log, readEnvironmentFile(job.environment), outsideFiles(job));

@@ -1,9 +1,10 @@
 #include "app/render_options.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <map>
+#include <string_view>
 #include <utility>
 
 #include "app/option_choice.h"
@@ -11,10 +12,12 @@
 #include "base/error.h"
 #include "fmt/format.h"
 #include "render/aov_names.h"
+#include "render/gather_source.h"
 
 namespace importon {
 namespace {
 
+constexpr const char* kDensityGroup = "Density control";
 constexpr std::int64_t kMostPixelsWide = 65536, kMostPasses = 1'000'000, kMostPaths = 1 << 30,
                        kMostThreads = 4096;
 constexpr std::int64_t kMostDepth = 1000, kMostGatherRays = 65536, kMostReceivers = 32, kMostMiB = 1 << 30;
@@ -151,14 +154,15 @@ void addMethodOptions(CLI::App& app, RenderJob& job) {
 }
 
 void addDensityOptions(CLI::App& app, RenderJob& job) {
-  const std::string group = "Density control";
+  const std::string group = kDensityGroup;
   addChoice<DensityControl>(app, "--control",
                             {{"off", DensityControl::off},
                              {"density", DensityControl::density},
                              {"probability", DensityControl::probability}},
                             job.control,
-                            "store all photons, store or redistribute each by the required\ndensity, or store "
-                            "each with the probability that the density\nasks for (default: density)")
+                            "the classical photon map, which stores all photons; store or\nredistribute each by the "
+                            "required density; or store each with\nthe probability that the density asks for (default: "
+                            "density)")
       ->group(group);
   app.add_option("--probability-floor", job.probabilityFloor,
                  withDefault("least such probability, 0 to 1", job.probabilityFloor))
@@ -207,9 +211,10 @@ void addDensityOptions(CLI::App& app, RenderJob& job) {
                          "all photons of a pass, or as many as important places require\n(default: all)")
       ->group(group);
   addChoice<GatherSource>(app, "--gather-from",
-                          {{"photons", GatherSource::photons}, {"cells", GatherSource::cells}}, job.gatherFrom,
-                          "final gather rays read the photons around them, or the\nirradiance of the surface cell that "
-                          "they meet\n(default: cells, unless another option is about photons)")
+                          {{"cells", GatherSource::cells}, {"photons", GatherSource::photons}}, job.gatherFrom,
+                          "final gather rays read the irradiance of the surface cell that\nthey meet, or the photons around "
+                          "it, which --control off,\n--control probability, --redistribute, --lookup, --irradiance,\n"
+                          "--importance differentials and --talk imply (default: cells)")
       ->group(group);
   app.add_option("--caustic-density", job.causticDensity,
                  withDefault("required in the caustic map, photons per pixel footprint; lookups\nread as many, 5 to 20", job.causticDensity))
@@ -297,6 +302,56 @@ bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) 
          fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error);
 }
 
+/// Names of the given options that only the photon map has a use for.
+std::vector<std::string> givenPhotonOptions(const CLI::App& app) {
+  constexpr std::array<std::string_view, 5> kOfMethod{"--photons", "--photon-batch", "--importons", "--adaptive-samples",
+                                                      "--indirect-filter"};
+  std::vector<std::string> given;
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_name();
+    const bool isOfMethod = std::find(kOfMethod.begin(), kOfMethod.end(), name) != kOfMethod.end();
+    const bool isOfGroup = option->get_group() == kDensityGroup || option->get_group() == kTalkGroup;
+    if (option->count() > 0 && (isOfMethod || isOfGroup)) given.push_back(name);
+  }
+  return given;
+}
+
+/// Photons are read where an option is about them; then --gather-from cells contradicts it.
+void checkGatherSource(const RenderCommand& command) {
+  const RenderJob& job = command.job;
+  const std::string reason = command.isTalk ? "--talk" : std::string(photonReason(job));
+  if (job.gatherFrom == GatherSource::cells && !reason.empty())
+    throw UsageError("--gather-from cells contradicts " + reason + ", for which gather rays read photons",
+                     "command line", "leave one of them out");
+}
+
+void checkRenderCommand(const RenderCommand& command) {
+  const RenderJob& job = command.job;
+  using Named = std::pair<const char*, const std::filesystem::path*>;
+  const std::array<Named, 7> files{Named{"SCENE", &job.scene}, Named{"--output", &job.output},
+                                   Named{"--png", &job.png}, Named{"--stats", &job.stats},
+                                   Named{"--reference", &job.reference},
+                                   Named{"--checkpoint", &job.checkpoint},
+                                   Named{"--environment", &job.environment}};
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    for (std::size_t j = i + 1; j < files.size(); ++j) {
+      if (files[i].second->empty() || files[j].second->empty()) continue;
+      if (isSameFile(*files[i].second, *files[j].second)) {
+        throw UsageError(std::string(files[i].first) + " and " + files[j].first + " are the same file",
+                         files[j].second->string(), "give each its own name");
+      }
+    }
+  }
+  checkGatherSource(command);
+  if (job.probabilityFloor > 0 && job.control != DensityControl::probability) {
+    throw UsageError("--probability-floor needs --control probability", "command line", "give both, or leave it out");
+  }
+  if (job.constantDensity && job.control == DensityControl::off) {
+    throw UsageError("--constant-density needs density control, which --control off leaves out", "command line",
+                     "leave one of them out");
+  }
+}
+
 }  // namespace
 
 CLI::Option* addOutsideFilesFlag(CLI::App& app, RenderJob& job) {
@@ -323,30 +378,11 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
   addMessageOptions(app, command);
 }
 
-void checkRenderCommand(const RenderCommand& command) {
-  const RenderJob& job = command.job;
-  using Named = std::pair<const char*, const std::filesystem::path*>;
-  const std::array<Named, 7> files{Named{"SCENE", &job.scene}, Named{"--output", &job.output},
-                                   Named{"--png", &job.png}, Named{"--stats", &job.stats},
-                                   Named{"--reference", &job.reference},
-                                   Named{"--checkpoint", &job.checkpoint},
-                                   Named{"--environment", &job.environment}};
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    for (std::size_t j = i + 1; j < files.size(); ++j) {
-      if (files[i].second->empty() || files[j].second->empty()) continue;
-      if (isSameFile(*files[i].second, *files[j].second)) {
-        throw UsageError(std::string(files[i].first) + " and " + files[j].first + " are the same file",
-                         files[j].second->string(), "give each its own name");
-      }
-    }
-  }
-  if (job.probabilityFloor > 0 && job.control != DensityControl::probability) {
-    throw UsageError("--probability-floor needs --control probability", "command line", "give both, or leave it out");
-  }
-  if (job.constantDensity && job.control == DensityControl::off) {
-    throw UsageError("--constant-density needs density control, which --control off leaves out", "command line",
-                     "leave one of them out");
-  }
+void finishRenderCommand(const CLI::App& app, RenderCommand& command) {
+  if (command.isTalk) applyTalk(app, command.job);
+  checkTalkOptions(app, command.job);
+  command.photonOptions = givenPhotonOptions(app);
+  checkRenderCommand(command);
 }
 
 }  // namespace importon

@@ -13,8 +13,8 @@ void addRenderOptions(CLI::App& app, RenderCommand& command);
 /// Declares --allow-outside-files.
 CLI::Option* addOutsideFilesFlag(CLI::App& app, RenderJob& job);
 
-/// What no single option can check: outputs that name the same file or the scene, options that contradict each
-/// other. Throws UsageError.
-void checkRenderCommand(const RenderCommand& command);
+/// After parsing: applies --talk, and checks what no single option can: outputs that name the same file or the scene,
+/// options that contradict each other. Throws UsageError.
+void finishRenderCommand(const CLI::App& app, RenderCommand& command);
 
 }  // namespace importon

@@ -73,6 +73,7 @@ std::string statsJson(const RenderJob& job, const RenderStats& stats, std::span<
                    {"triangles", stats.triangles},
                    {"lights", stats.lights},
                    {"features", stats.features}};
+  root["gather_from"] = stats.gatherFrom;
   root["image"] = {{"width", stats.width}, {"height", stats.height}, {"passes", stats.passes}};
   root["seconds"] = secondsJson(stats.seconds);
   root["kernels"] = kernelsJson(stats.kernels);

@@ -9,14 +9,13 @@ namespace importon {
 namespace {
 
 constexpr std::int64_t kMostNeighbours = 1000;
-const std::string kGroup = "As in the talk";
 
 void addQuotaOptions(CLI::App& app, RenderJob& job) {
   addChoice<Acceptance>(app, "--acceptance", {{"step", Acceptance::step}, {"cosine", Acceptance::cosine}},
                         job.acceptance,
                         "store below the required density, or with a probability that\nfalls as a cosine up to it; with "
                         "--redistribute (default: step)")
-      ->group(kGroup);
+      ->group(kTalkGroup);
   addChoice<PowerShares>(app, "--shares",
                          {{"count", PowerShares::count},
                           {"distance", PowerShares::distance},
@@ -24,22 +23,22 @@ void addQuotaOptions(CLI::App& app, RenderJob& job) {
                          job.shares,
                          "what a rejected photon's power is shared out by; with\n--redistribute (default: count, equal "
                          "shares)")
-      ->group(kGroup);
+      ->group(kTalkGroup);
   app.add_option("--quota", job.quota, "photons by which density is judged; with --redistribute\n(default: automatic)")
       ->check(wholeNumber(1, kMostNeighbours, "photons"))
       ->type_name("Q")
-      ->group(kGroup);
+      ->group(kTalkGroup);
   addChoice<bool>(app, "--density-limits", {{"own", false}, {"program", true}}, job.hasProgramLimits,
                   "of the talk's author's program: at least 1 photon/m²; up to 3\nneighbours count as none; a bounded "
                   "search (default: own)")
-      ->group(kGroup);
+      ->group(kTalkGroup);
 }
 
 void addLookupOptions(CLI::App& app, RenderJob& job) {
   addChoice<MapLookup>(app, "--lookup", {{"radius", MapLookup::radius}, {"nearest", MapLookup::nearest}}, job.lookup,
-                       "read the maps within a radius that follows from the density,\nor by the nearest photons: slower "
-                       "(default: radius)")
-      ->group(kGroup);
+                       "gather rays and camera paths read photons within a radius that\nfollows from the density, or the "
+                       "nearest photons: slower\n(default: radius, of the caustic map)")
+      ->group(kTalkGroup);
   addChoice<IrradianceCache>(app, "--irradiance",
                              {{"off", IrradianceCache::off},
                               {"photons", IrradianceCache::photons},
@@ -47,7 +46,7 @@ void addLookupOptions(CLI::App& app, RenderJob& job) {
                              job.irradiance,
                              "read the global map's irradiance precomputed at the nearest\nphoton (too bright at edges "
                              "of light) or importon (default:\noff)")
-      ->group(kGroup);
+      ->group(kTalkGroup);
   const auto check = wholeNumber(2, kMostNeighbours, "photons");
   app.add_option_function<std::string>(
          "--lookup-photons",
@@ -59,18 +58,18 @@ void addLookupOptions(CLI::App& app, RenderJob& job) {
          "global map)")
       ->check([check](const std::string& text) { return text == "auto" ? std::string() : check(text); })
       ->type_name("M|auto")
-      ->group(kGroup);
+      ->group(kTalkGroup);
   app.add_option("--nearest-importons", job.nearestImportons, "importons of an importance estimate (default: automatic)")
       ->check(wholeNumber(2, kMostNeighbours, "importons"))
       ->type_name("M")
-      ->group(kGroup);
+      ->group(kTalkGroup);
 }
 
 }  // namespace
 
 void addTalkOptions(CLI::App& app, RenderJob& job, bool& isTalk) {
   app.add_flag("--talk", isTalk, "all settings of the talk and its author's program, where no\nother is given")
-      ->group(kGroup);
+      ->group(kTalkGroup);
   addQuotaOptions(app, job);
   addLookupOptions(app, job);
 }

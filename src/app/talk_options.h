@@ -5,6 +5,9 @@
 
 namespace importon {
 
+/// The heading of these options in the help.
+inline constexpr const char* kTalkGroup = "As in the talk";
+
 /// Declares the options on `app`; parsing writes to `job` and `isTalk`.
 void addTalkOptions(CLI::App& app, RenderJob& job, bool& isTalk);
 

@@ -42,11 +42,4 @@ class ContentHash {
   std::uint64_t state_ = 0xcbf29ce484222325u;
 };
 
-/// The hash of one piece.
-[[nodiscard]] inline std::uint64_t contentHash(std::span<const std::byte> bytes) {
-  ContentHash hash;
-  hash.add(bytes);
-  return hash.value();
-}
-
 }  // namespace importon

@@ -2,21 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "base/trimmed_mean.h"
 
 namespace importon {
 namespace {
 
 constexpr int kBlock = 4;   // side of the blocks for the bias, pixels
 constexpr int kWindow = 3;  // half the side of the window of the error per pixel
-
-/// Mean of all but the greatest thousandth.
-double trimmedMean(std::vector<double> values) {
-  const std::size_t kept = values.size() - values.size() / 1000;
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(kept - 1), values.end());
-  return std::accumulate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(kept), 0.0) /
-         static_cast<double>(kept);
-}
 
 double meanOf(const glm::dvec3& v) { return (v.x + v.y + v.z) / 3; }
 

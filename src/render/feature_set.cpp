@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/gather_source.h"
 #include "shared/features.h"
 
 namespace importon {
@@ -38,12 +39,6 @@ bool usesTextures(const Material& m) {
   return std::any_of(std::begin(slots), std::end(slots), [](uint slot) { return slot != kNone; });
 }
 
-bool readsCells(const RenderJob& job) {
-  if (job.gatherFrom != GatherSource::automatic) return job.gatherFrom == GatherSource::cells;
-  if (job.lookup == MapLookup::nearest || job.lookupPhotons || job.irradiance != IrradianceCache::off) return false;
-  return job.control != DensityControl::probability && !job.redistribute && job.importance == ImportanceChoice::map;
-}
-
 bool hasAnyColor(const Scene& scene) {
   constexpr uint kWhiteHalves = 0x3C003C00u;
   return std::any_of(scene.vertices.begin(), scene.vertices.end(), [](const Vertex& v) {
@@ -76,7 +71,7 @@ FeatureSet findFeatures(const Scene& scene, const RenderJob& job) {
   if (job.forcesAllFeatures) {
     f = {true, true, true, true, true, true, true, true, true, true, true, 0, true, false, true};
   }
-  f.readsCells = readsCells(job);
+  f.readsCells = gatherSource(job) == GatherSource::cells;
   f.pixelFilter = static_cast<uint>(job.filter);
   if (job.integrator == Integrator::path) f.needsCausticMap = f.needsGlobalMap = f.readsCells = false;
   return f;

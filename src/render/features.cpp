@@ -25,6 +25,8 @@ std::vector<FeatureRow> describeFeatures(const Scene& scene, const RenderJob& jo
       row("environment", f.hasEnvironment, "the scene has an environment", "the scene has no environment"),
       row("caustic map", f.needsCausticMap, "a surface may be smooth enough to focus light",
           job.integrator == Integrator::path ? "the path tracer reads no map" : "no surface is specular"),
+      row("surface cells", f.readsCells, "gather rays read the irradiance of surface cells",
+          job.integrator == Integrator::path ? "the path tracer reads no map" : "gather rays read photons"),
       row("global map", f.needsGlobalMap, "light comes back from surfaces that are no lights",
           "the path tracer reads no map"),
   };

@@ -96,7 +96,6 @@ void buildMap(const Stage& stage, ImportanceMap& map, MapKind kind, uint nearest
 void ImportanceMap::bind(gpu::BindingTable& table) const {
   table.set(kBindingImportonCells, grid.cells);
   table.set(kBindingImportonPoints, grid.points);
-  table.set(kBindingImportonOrder, grid.order);
   table.set(kBindingImportance, importance);
   table.set(kBindingImportanceBound, bound ? bound : importance);
   table.set(kBindingImportonHits, hits);

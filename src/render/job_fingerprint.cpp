@@ -4,6 +4,7 @@
 
 #include "base/hash.h"
 #include "render/camera_setup.h"
+#include "render/gather_source.h"
 
 namespace importon {
 namespace {
@@ -21,13 +22,13 @@ std::string shown(const std::optional<T>& value) {
 std::string settingsOf(const RenderJob& job) {
   return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", static_cast<int>(job.filter),
                      static_cast<int>(job.integrator), shown(job.photons), shown(job.importons),
-                     static_cast<int>(job.control), static_cast<int>(job.gatherFrom), job.probabilityFloor, static_cast<int>(job.importance),
+                     static_cast<int>(job.control), static_cast<int>(gatherSource(job)), job.probabilityFloor, static_cast<int>(job.importance),
                      static_cast<int>(job.differentialBound), static_cast<int>(job.emission), shown(job.photonBatch),
                      job.causticDensity,
                      job.globalDensity, shown(job.constantDensity), shown(job.redistribute), shown(job.gather),
                      job.filtersIndirect, job.maxDepth, shown(job.memoryMiB)) +
          fmt::format(" {} {} {} {} {} {} {} {} {} {} {} {} {} {}", static_cast<int>(job.irradiance), static_cast<int>(job.acceptance), static_cast<int>(job.shares),
-                     shown(job.quota), job.hasProgramLimits, static_cast<int>(job.lookup), shown(job.lookupPhotons),
+                     shown(job.quota), job.hasProgramLimits, static_cast<int>(job.lookup.value_or(MapLookup::radius)), shown(job.lookupPhotons),
                      shown(job.nearestImportons), static_cast<int>(job.guideWeight),
                      static_cast<int>(job.shooting), static_cast<int>(job.scatter), static_cast<int>(job.requiredBy), job.choosesLookups,
                      job.isAdaptive);

@@ -13,7 +13,7 @@ enum class PixelFilter { box, gaussian, blackmanHarris };  // kFilter* of shared
 enum class DensityControl { off, density, probability };
 enum class ImportanceChoice { map, differentials };
 enum class DifferentialBound { pixel, screen };  // of required density: the most that a path nearby asks for, or the sum
-enum class GatherSource { automatic, photons, cells };
+enum class GatherSource { cells, photons };
 enum class Acceptance { step, cosine };              // kAccept* of shared/render_data.h
 enum class PowerShares { count, distance, direction };  // kShare*
 enum class MapLookup { radius, nearest };
@@ -45,7 +45,7 @@ struct RenderJob {
   double probabilityFloor = 0;               // ε: least probability of storing a hit, for control by probability
   ImportanceChoice importance = ImportanceChoice::map;
   DifferentialBound differentialBound = DifferentialBound::screen;
-  GatherSource gatherFrom = GatherSource::automatic;  // cells, where the rest is as by default
+  std::optional<GatherSource> gatherFrom;  // unset: render/gather_source.h decides
   EmissionChoice emission = EmissionChoice::automatic;
   RequiredBy requiredBy = RequiredBy::importance;
   ScatterChoice scatter = ScatterChoice::material;
@@ -59,7 +59,7 @@ struct RenderJob {
   PowerShares shares = PowerShares::count;
   std::optional<int> quota;                  // Q: photons within a quota radius
   bool hasProgramLimits = false;             // density limits of the talk's author's program
-  MapLookup lookup = MapLookup::radius;
+  std::optional<MapLookup> lookup;           // unset: within a radius
   IrradianceCache irradiance = IrradianceCache::off;
   std::optional<int> lookupPhotons;          // M of a lookup, in both maps
   bool choosesLookups = false;               // M by what a pilot shows, for each map that lookups read

@@ -5,11 +5,13 @@
 #include <stdexcept>
 
 #include "accel/bvh.h"
+#include "base/clock.h"
 #include "base/error.h"
 #include "fmt/format.h"
 #include "render/aov_image.h"
 #include "render/error_estimate.h"
 #include "render/features.h"
+#include "render/gather_source.h"
 #include "render/photon_pass.h"
 #include "render/point_layer.h"
 #include "shared/bindings.h"
@@ -18,10 +20,6 @@
 
 namespace importon {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Low word in x.
 uvec2 wordsOf(std::uint64_t n) { return {static_cast<uint>(n), static_cast<uint>(n >> 32)}; }
@@ -72,7 +70,7 @@ RenderSession::RenderSession(const RenderJob& job, const Scene& scene, Log& log,
   importance_ = makeImportanceMaps(device_->context, plan_.importons * (std::uint64_t{parameters_.maxDepth} + 1),
                                    plan_.workspace.hasDifferentials);
   if (hasMaps()) {
-    if (!features_.readsCells || job.control == DensityControl::off)
+    if (!features_.readsCells)
       globalMap_.emplace(device_->context, MapKind::global, plan_.mapCapacity, plan_.workspace.records);
     if (features_.needsCausticMap)
       causticMap_.emplace(device_->context, MapKind::caustic, plan_.causticCapacity, plan_.workspace.records);
@@ -338,6 +336,7 @@ void RenderSession::finishStats(int passes) {
   stats_.lights = scene_.lights.size();
   for (const FeatureRow& row : describeFeatures(scene_, job_))
     if (row.isModelled) stats_.features.push_back(row.name);
+  stats_.gatherFrom = gatherSourceName(job_);
   stats_.width = size_.x;
   stats_.height = size_.y;
   stats_.passes = passes;

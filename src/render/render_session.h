@@ -147,7 +147,7 @@ class RenderSession {
   std::optional<PhotonMap> causticMap_, globalMap_;
   std::optional<ExpectedDensity> causticExpected_, globalExpected_;
   std::optional<CellSizes> cellSizes_;
-  std::optional<IrradianceMap> irradiance_;  // in place of the global map, or made from the same photons
+  std::optional<IrradianceMap> irradiance_;  // in place of the global map
   DensityControl control_;
   double surfaceArea_ = 0;  // m²
   std::optional<EmissionGuide> causticGuide_, globalGuide_;

@@ -2,16 +2,13 @@
 
 #include <algorithm>
 
+#include "base/clock.h"
 #include "render/pause.h"
 #include "render/render_session.h"
 #include "render/stop_rule.h"
 
 namespace importon {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// A first guess of the seconds that resolving and writing the image takes.
 double guessFinish(const RenderJob& job, const RenderSession& session) {

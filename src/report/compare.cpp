@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/trimmed_mean.h"
 #include "fmt/format.h"
 #include "io/tone_map.h"
 #include "report/flip.h"
@@ -60,15 +61,6 @@ PixelError pixelError(const Rgb& image, const Rgb& reference, std::size_t pixel,
     error.symmetric += ratio(std::abs(i - r), std::abs(i) + std::abs(r), 0) / 3;
   }
   return error;
-}
-
-/// Mean of all but the greatest thousandth.
-double trimmedMean(std::vector<double> values) {
-  const std::size_t kept = values.size() - values.size() / 1000;
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(kept - 1), values.end());
-  double sum = 0;
-  for (std::size_t i = 0; i < kept; ++i) sum += values[i];
-  return sum / static_cast<double>(kept);
 }
 
 void checkSizes(const Image& image, const std::string& imageName, const Image& reference,

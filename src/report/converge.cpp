@@ -1,18 +1,14 @@
 #include "report/converge.h"
 
-#include <chrono>
 #include <cmath>
 #include <map>
 
+#include "base/clock.h"
 #include "fmt/format.h"
 #include "render/renderer.h"
 
 namespace importon {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 std::uint64_t storedOf(const RenderStats& stats) { return stats.caustic.stored + stats.global.stored; }
 

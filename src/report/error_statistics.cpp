@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/trimmed_mean.h"
 #include "io/tone_map.h"
 
 namespace importon {
@@ -29,7 +30,7 @@ double keptMean(const std::vector<double>& value, const std::vector<std::size_t>
 std::vector<std::size_t> keptPixels(const std::vector<double>& errors) {
   std::vector<std::size_t> order(errors.size());
   std::iota(order.begin(), order.end(), 0u);
-  const std::size_t kept = errors.size() - errors.size() / 1000;
+  const std::size_t kept = keptWhenTrimmed(errors.size());
   std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(kept - 1), order.end(),
                    [&](std::size_t a, std::size_t b) { return errors[a] < errors[b]; });
   order.resize(kept);

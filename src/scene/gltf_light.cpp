@@ -34,7 +34,6 @@ Light readLight(const tinygltf::Light& source, const std::string& where, float s
   vec3 color(1.0f);
   for (std::size_t c = 0; c < source.color.size(); ++c) color[static_cast<int>(c)] = toFloat(source.color[c]);
   light.emission = color * toFloat(source.intensity);
-  light.range = toFloat(source.range);
   if (source.type == "point") {
     light.kind = kLightPoint;
     light.power = pointPower(light.emission);

@@ -22,7 +22,7 @@ std::vector<HostLayout> hostLayouts() {
                       unused1),
       IMPORTON_LAYOUT(Texture, firstTexel, width, height, wrapS, wrapT, isNearest, isSrgb, uvSet, uvRow0,
                       uvRow1),
-      IMPORTON_LAYOUT(Light, kind, triangle, power, area, emission, range, position, cosInner, direction,
+      IMPORTON_LAYOUT(Light, kind, triangle, power, area, emission, position, cosInner, direction,
                       cosOuter, isTwoSided),
       // shared/ray_data.h
       IMPORTON_LAYOUT(Ray, origin, tMax, direction, id),

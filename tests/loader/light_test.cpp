@@ -67,7 +67,7 @@ TEST(EmissiveTriangles, EmitTheMeanOfTheirTextureAndNothingWhereItIsBlack) {
 }
 
 TEST(PunctualLights, PointLightsShineByFourPi) {
-  const Scene scene = load(punctual({{"type", "point"}, {"color", {1, 0.5, 0}}, {"intensity", 6}, {"range", 9}},
+  const Scene scene = load(punctual({{"type", "point"}, {"color", {1, 0.5, 0}}, {"intensity", 6}},
                                     {{"translation", {1, 2, 3}}, {"scale", {5, 5, 5}}}));
   ASSERT_EQ(scene.lights.size(), 1u);
   const Light& light = scene.lights[0];
@@ -75,15 +75,13 @@ TEST(PunctualLights, PointLightsShineByFourPi) {
   EXPECT_EQ(light.triangle, kNone);
   EXPECT_EQ(light.position, vec3(1, 2, 3));
   EXPECT_EQ(light.emission, vec3(6, 3, 0));
-  EXPECT_EQ(light.range, 9);
   EXPECT_NEAR(light.power, 4 * kPi * 3, 1e-5);
   EXPECT_TRUE(scene.lightOfTriangle.empty());
 }
 
-TEST(PunctualLights, DefaultsAreWhiteOfOneCandelaWithoutRange) {
+TEST(PunctualLights, DefaultsAreWhiteOfOneCandela) {
   const Light light = load(punctual({{"type", "point"}})).lights.at(0);
   EXPECT_EQ(light.emission, vec3(1));
-  EXPECT_EQ(light.range, 0);
 }
 
 TEST(PunctualLights, SpotLightsLookAlongMinusZ) {

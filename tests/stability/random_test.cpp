@@ -145,7 +145,8 @@ class RandomProgram : Dice {
     job.filter = anyOf({PixelFilter::box, PixelFilter::gaussian, PixelFilter::blackmanHarris});
     job.importance = anyOf({ImportanceChoice::map, ImportanceChoice::differentials});
     job.differentialBound = anyOf({DifferentialBound::pixel, DifferentialBound::screen});
-    job.gatherFrom = anyOf({GatherSource::automatic, GatherSource::photons, GatherSource::cells});
+    job.gatherFrom = anyOf({GatherSource::photons, GatherSource::cells});
+    if (job.importance == ImportanceChoice::differentials) job.gatherFrom = GatherSource::photons;
     job.scatter = anyOf({ScatterChoice::material, ScatterChoice::guided});
     job.requiredBy = anyOf({RequiredBy::importance, RequiredBy::contribution, RequiredBy::direction});
     job.forcesAllFeatures = true;
@@ -170,6 +171,7 @@ class RandomJob : Dice {
     if (oneIn(3)) job.maxDepth = 1 + below(40);
     job.filtersIndirect = oneIn(2);
     job.isAdaptive = oneIn(2);
+    if (job.gatherFrom == GatherSource::cells) leaveOutPhotonOptions(job);
     return job;
   }
 
@@ -198,6 +200,14 @@ class RandomJob : Dice {
     if (oneIn(2)) job.nearestImportons = 2 + below(200);
     if (oneIn(2)) job.photonBatch = 1u << below(12);
     job.choosesLookups = oneIn(4);
+  }
+
+  /// What would make gather rays read photons.
+  static void leaveOutPhotonOptions(RenderJob& job) {
+    job.control = DensityControl::density;
+    job.redistribute.reset();
+    job.lookup.reset();
+    job.irradiance = IrradianceCache::off;
   }
 
   unsigned seed_;

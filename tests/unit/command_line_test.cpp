@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "render/gather_source.h"
 
 namespace importon {
 namespace {
@@ -69,6 +70,29 @@ TEST(CommandLine, TalkSetsWhatIsNotGiven) {
   EXPECT_EQ(other.lookup, MapLookup::radius);
   EXPECT_EQ(other.maxDepth, 16);
   EXPECT_EQ(other.importons, 80'000u);
+}
+
+TEST(CommandLine, OptionsAboutPhotonsMakeGatherRaysReadThem) {
+  EXPECT_EQ(gatherSource(parseRender("a.gltf -o o.exr").job), GatherSource::cells);
+  EXPECT_EQ(gatherSource(parseRender("a.gltf -o o.exr --control density").job), GatherSource::cells);
+  EXPECT_EQ(gatherSource(parseRender("a.gltf -o o.exr --gather-from cells --lookup-photons 9").job), GatherSource::cells);
+  EXPECT_EQ(gatherSource(parseRender("a.gltf -o o.exr --gather-from photons").job), GatherSource::photons);
+  for (const std::string option :
+       {"--control off", "--control probability", "--redistribute 4", "--lookup radius", "--lookup nearest",
+        "--irradiance photons", "--irradiance importons", "--importance differentials", "--talk"}) {
+    EXPECT_EQ(gatherSource(parseRender("a.gltf -o o.exr " + option).job), GatherSource::photons) << option;
+    (void)parseRender("a.gltf -o o.exr --gather-from photons " + option);
+    const std::string message = refusal("a.gltf -o o.exr --gather-from cells " + option);
+    EXPECT_NE(message.find("--gather-from cells contradicts " + option.substr(0, option.find(' '))), std::string::npos)
+        << message;
+  }
+}
+
+TEST(CommandLine, CollectsWhatThePathTracerHasNoUseFor) {
+  const RenderCommand command = parseRender("a.gltf -o o.exr --integrator path --photons 9 --guide-by deficit --quota 9 "
+                                            "--redistribute 2 --gather 4 --seed 1");
+  EXPECT_EQ(command.photonOptions, (std::vector<std::string>{"--photons", "--guide-by", "--redistribute", "--quota"}));
+  EXPECT_TRUE(parseRender("a.gltf -o o.exr --integrator path --max-depth 3").photonOptions.empty());
 }
 
 TEST(CommandLine, OptionsOfTheQuotaNeedReceivers) {

@@ -51,7 +51,7 @@ using Keys = std::vector<std::string>;
 
 TEST(StatsFile, HasTheKeysOfTheContract) {
   const Json json = written(sample());
-  EXPECT_EQ(keysOf(json), (Keys{"version", "command", "seed", "device", "scene", "image", "seconds", "kernels",
+  EXPECT_EQ(keysOf(json), (Keys{"version", "command", "seed", "device", "scene", "gather_from", "image", "seconds", "kernels",
                                 "rays", "importons", "photons", "memory", "error", "warnings"}));
   EXPECT_EQ(keysOf(json["device"]), (Keys{"name", "driver", "type"}));
   EXPECT_EQ(keysOf(json["scene"]), (Keys{"file", "triangles", "lights", "features"}));
