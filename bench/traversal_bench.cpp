@@ -61,6 +61,7 @@ void measureTraversal(benchmark::State& state, const BenchScene& scene, bool isA
   const double traced = static_cast<double>(count) * static_cast<double>(state.iterations());
   if (tracer.unfinished() > 0) state.SkipWithError("rays were given up");
   state.SetLabel(context.info().name);
+  state.counters["triangles"] = static_cast<double>(scene.triangles.size());
   state.counters["Mrays/s"] = traced / seconds * 1e-6;
   state.counters["device_Mrays/s"] = traced / deviceSeconds * 1e-6;  // by its own clock
 #ifdef IMPORTON_HAS_EMBREE
