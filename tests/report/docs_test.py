@@ -12,6 +12,7 @@ import unittest
 ROOT, IMPORTON = pathlib.Path(sys.argv[1]), sys.argv[2]
 PAGES = [ROOT / "README.md", ROOT / "scenes/README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 PASSES_ON = {"run", "render_array"}  # scripts that hand their options to importon
+SOURCES = {"", ".cpp", ".h", ".comp", ".glsl", ".py", ".sh", ".txt"}  # "": scripts
 FENCE = re.compile(r"^```.*?\n(.*?)^```", re.S | re.M)
 SPAN = re.compile(r"`([^`\n]+)`")
 DECLARED = re.compile(r"^ {0,4}(?:-\w,)?(--[a-z-]+)", re.M)  # in the text of --help
@@ -106,6 +107,14 @@ class Documentation(unittest.TestCase):
                 if not file.exists() or (heading and file.suffix == ".md" and heading not in anchors(file)):
                     found.append((page, target))
         self.assert_none("no such place", found)
+
+    def test_pages_that_sources_name_exist(self):
+        sources = [file for folder in ("bench", "scripts", "shaders", "src", "tests") for file in (ROOT / folder).rglob("*")
+                   if file.is_file() and "__pycache__" not in file.parts and file.suffix in SOURCES]
+        self.assertGreater(len(sources), 400)
+        found = [(file, page) for file in sources for page in re.findall(r"\bdocs/[\w/-]+\.(?:md|svg|jpg)\b", file.read_text())
+                 if not (ROOT / page).exists()]
+        self.assert_none("no such page", found)
 
     def test_scripts_exist(self):
         found = [(page, name) for page in PAGES for name in re.findall(r"\bscripts/\w+", page.read_text())
