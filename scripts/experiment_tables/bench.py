@@ -22,7 +22,8 @@ def traversal(programs):
     rows = []
     for name in names:
         closest, shadow = found[f"closest_hit/{name}"], found[f"any_hit/{name}"]
-        rows.append([name, number(closest["triangles"]), f"{closest['Mrays/s']:.1f}", ratio(closest), f"{shadow['Mrays/s']:.1f}", ratio(shadow)])
+        rates = [cell for run in (closest, shadow) for cell in (f"{run['Mrays/s']:.1f}", ratio(run))]
+        rows.append([name, number(closest["triangles"]), *rates])
     return table(["scene", "triangles", "closest, Mrays/s", "of Embree's", "any hit, Mrays/s", "of Embree's"], rows)
 
 
@@ -33,8 +34,8 @@ def building(programs):
     for name in names:
         run = found[f"build/{name}"]
         embree = f"{run['Embree_ms']:.3g}" if "Embree_ms" in run else "–"
-        rows.append([name, number(run["triangles"]), f"{run['median_ms']:.3g}", embree, ratio(run), ratio(run, "processor_ratio"),
-                     f"{run['bytes/triangle']:.0f}"])
+        rows.append([name, number(run["triangles"]), f"{run['median_ms']:.3g}", embree, ratio(run),
+                     ratio(run, "processor_ratio"), f"{run['bytes/triangle']:.0f}"])
     return table(["scene", "triangles", "ms", "Embree, ms", "ratio", "of processor time", "bytes a triangle"], rows)
 
 
@@ -64,6 +65,7 @@ def lights(programs):
 
 def features(programs):
     found = programs.bench("renderBox/path_.*" if programs.is_small else "renderBox/.*")
-    rows = [[name.split("/")[1].replace("_", ", "), f"{run['kernel_ms_per_pass']:.0f}", f"{run['start_ms']:.0f}", f"{run['device_MiB']:.0f}"]
+    rows = [[name.split("/")[1].replace("_", ", "),
+             *(f"{run[counter]:.0f}" for counter in ("kernel_ms_per_pass", "start_ms", "device_MiB"))]
             for name, run in found.items()]
     return table(["", "kernels, ms a pass", "start, ms", "device memory, MiB"], rows)

@@ -13,15 +13,15 @@ SCENES = ["cornell_box", "door_slit", "rooms", "ring", "glass_ball", "pool", "gl
 
 def build():
     """Builds them; returns the folder."""
-    script = f'root="{ROOT}"; source "$root/scripts/setup.sh"; ensurePackages run build test; build test importon importon_bench'
-    subprocess.run(["bash", "-c", "set -euo pipefail; " + script], check=True)
+    script = 'source "$root/scripts/setup.sh"; ensurePackages run build test; build test importon importon_bench'
+    subprocess.run(["bash", "-c", f'set -euo pipefail; root="{ROOT}"; {script}'], check=True)
     return ROOT / "build/test"
 
 
 class Programs:
     def __init__(self, folder, is_small):
-        self.importon, self.bench_program, self.is_small = folder / "bin/importon", folder / "bench/importon_bench", is_small
-        self.device = None
+        self.importon, self.bench_program = folder / "bin/importon", folder / "bench/importon_bench"
+        self.is_small, self.device = is_small, None
 
     def bench(self, names):
         """Counters of benchmarks by name. `names`: a regular expression."""
@@ -32,7 +32,7 @@ class Programs:
         found = json.loads(done.stdout)["benchmarks"]
         for run in found:
             if run.get("error_occurred"):
-                sys.exit(f"importon: error: {run['error_message']} (benchmark {run['name']}): run importon_bench by hand")
+                sys.exit(f"importon: error: {run['error_message']} ({run['name']}): run importon_bench by hand")
         return {self._plain(run["name"]): run for run in found}
 
     @staticmethod
@@ -44,8 +44,9 @@ class Programs:
         """The statistics of a render of one of the project's scenes."""
         with tempfile.TemporaryDirectory() as scratch:
             stats = pathlib.Path(scratch) / "stats.json"
-            subprocess.run([str(self.importon), str(ROOT / f"scenes/{scene}/{scene}.gltf"), "-o", f"{scratch}/image.exr",
-                            "--stats", str(stats), "-q", *map(str, words)], check=True, env={**os.environ, **(environment or {})})
+            outputs = ["-o", f"{scratch}/image.exr", "--stats", stats, "-q"]
+            command = [self.importon, ROOT / f"scenes/{scene}/{scene}.gltf", *outputs, *words]
+            subprocess.run(list(map(str, command)), check=True, env={**os.environ, **(environment or {})})
             found = json.loads(stats.read_text())
         self.device = found["device"]
         return found

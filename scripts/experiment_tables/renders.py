@@ -11,14 +11,14 @@ GROUPS = {
     "shadow rays": {"trace shadow"},
     "camera paths": {"camera rays", "shade camera path", "add direct light", "film"},
     "photons": {"photon rays", "guided photon rays", "scatter photon", "scatter caustic photon"},
-    "storing": {"find cell", "claim cell", "store photons", "settle cell", "add to cell", "photon key", "resolve map", "clear cells",
-                "sum flux"},
+    "storing": {"find cell", "claim cell", "store photons", "settle cell", "add to cell", "photon key", "resolve map",
+                "clear cells", "sum flux"},
     "lookups": {"map lookup"},
     "cells": {"add to irradiance", "light of cell groups", "irradiance of cells"},
-    "lists": {"set counter", "add counter", "compact count", "compact scatter", "scan", "select records", "sort count", "sort scatter",
-              "fill"},
-    "importance": {"importon rays", "scatter importon", "importon count", "importon level", "importon entries", "importon points",
-                   "importon key", "importance", "importance in order", "count hits", "learn guide"},
+    "lists": {"set counter", "add counter", "compact count", "compact scatter", "scan", "select records", "sort count",
+              "sort scatter", "fill"},
+    "importance": {"importon rays", "scatter importon", "importon count", "importon level", "importon entries",
+                   "importon points", "importon key", "importance", "importance in order", "count hits", "learn guide"},
 }
 
 
@@ -33,7 +33,8 @@ def kernels(programs):
         times = {kernel["label"]: kernel["total_ms"] / 1e3 for kernel in stats["kernels"]}
         all_kernels, seconds = sum(times.values()), stats["seconds"]["total"]
         shares = [sum(times.get(label, 0) for label in labels) / all_kernels for labels in GROUPS.values()]
-        rows.append([scene, f"{seconds:.1f}", f"{all_kernels / seconds:.2f}", *(f"{share:.2f}" for share in [*shares, 1 - sum(shares)])])
+        shares.append(1 - sum(shares))
+        rows.append([scene, f"{seconds:.1f}", f"{all_kernels / seconds:.2f}", *(f"{share:.2f}" for share in shares)])
     return table(["scene", "s", "in kernels", *GROUPS, "the rest"], rows)
 
 
@@ -49,4 +50,6 @@ def start_up(programs):
         median = lambda phase: statistics.median(seconds[phase] for seconds in found)
         phases = [median(phase) for phase in ("total", "load", "bvh", "device", "importance", "photons", "gather")]
         rows.append([scene, *(f"{seconds:.2f}" for seconds in phases), f"{cold:.2f}"])
-    return table(["scene", "s in all", "reading", "tree", "device", "importance", "photons", "camera paths", "in all, cache empty"], rows)
+    head = ["scene", "s in all", "reading", "tree", "device", "importance", "photons", "camera paths",
+            "in all, cache empty"]
+    return table(head, rows)

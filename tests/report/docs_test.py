@@ -61,7 +61,8 @@ def anchors(page):
 
 def links(page):
     """Targets of a page that are no addresses of the web."""
-    return [target for target in re.findall(r"\]\(([^)\s]+)\)", without_code(page.read_text())) if not re.match(r"\w+:", target)]
+    targets = re.findall(r"\]\(([^)\s]+)\)", without_code(page.read_text()))
+    return [target for target in targets if not re.match(r"\w+:", target)]
 
 
 class Documentation(unittest.TestCase):
@@ -87,7 +88,8 @@ class Documentation(unittest.TestCase):
 
     @staticmethod
     def of_scripts():
-        return {option for file in (ROOT / "scripts").iterdir() if file.is_file() for option in OPTION.findall(file.read_text())}
+        files = [file for file in (ROOT / "scripts").iterdir() if file.is_file()]
+        return {option for file in files for option in OPTION.findall(file.read_text())}
 
     def assert_none(self, what, found):
         self.assertEqual([], [f"{page.relative_to(ROOT)}: {what} {name}" for page, name in found])
@@ -109,10 +111,12 @@ class Documentation(unittest.TestCase):
         self.assert_none("no such place", found)
 
     def test_pages_that_sources_name_exist(self):
-        sources = [file for folder in ("bench", "scripts", "shaders", "src", "tests") for file in (ROOT / folder).rglob("*")
+        folders = [ROOT / name for name in ("bench", "scripts", "shaders", "src", "tests")]
+        sources = [file for folder in folders for file in folder.rglob("*")
                    if file.is_file() and "__pycache__" not in file.parts and file.suffix in SOURCES]
         self.assertGreater(len(sources), 400)
-        found = [(file, page) for file in sources for page in re.findall(r"\bdocs/[\w/-]+\.(?:md|svg|jpg)\b", file.read_text())
+        named = re.compile(r"\bdocs/[\w/-]+\.(?:md|svg|jpg)\b")
+        found = [(file, page) for file in sources for page in named.findall(file.read_text())
                  if not (ROOT / page).exists()]
         self.assert_none("no such page", found)
 
