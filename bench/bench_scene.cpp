@@ -85,6 +85,11 @@ class SurfaceSampler {
 
 }  // namespace
 
+std::string setting(const char* name) {
+  const char* const value = std::getenv(name);
+  return value != nullptr ? value : "";
+}
+
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 double median(std::vector<double> values) {
@@ -103,8 +108,8 @@ std::span<const char* const> benchSceneNames() {
 BenchScene loadBenchScene(const std::string& name) {
   if (name == "height_field") return makeHeightField();
   const std::filesystem::path own = std::filesystem::path(IMPORTON_SCENES) / name / (name + ".gltf");
-  const char* const chosen = std::getenv("IMPORTON_BENCH_SCENES");
-  const std::filesystem::path folder = chosen != nullptr ? chosen : IMPORTON_SHARED_SCENES;
+  const std::string chosen = setting("IMPORTON_BENCH_SCENES");
+  const std::filesystem::path folder = chosen.empty() ? IMPORTON_SHARED_SCENES : chosen;
   Log log(Log::Verbosity::quiet);
   Scene scene = loadGltf(std::filesystem::exists(own) ? own : folder / name / (name + ".glb"), log);
   return {std::move(scene.positions), std::move(scene.triangles)};

@@ -14,6 +14,8 @@ struct BenchScene {
   std::vector<Triangle> triangles;
 };
 
+/// A variable of the environment; empty where it is not set.
+[[nodiscard]] std::string setting(const char* name);
 /// Processor time of all threads of this process, in seconds.
 [[nodiscard]] double processorSeconds();
 /// Of at least one value.

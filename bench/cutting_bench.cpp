@@ -1,5 +1,6 @@
 // What cutting long diagonal triangles brings to rays: the time with the cut tree over that with the whole one, of the
-// scenes as they are and turned so that their walls lie along no axis. The trees take turns.
+// scenes as they are and turned so that their walls lie along no axis. The trees take turns. IMPORTON_BENCH_DEVICE as in
+// traversal_bench.cpp.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -40,7 +41,7 @@ void measureCutting(benchmark::State& state, const BenchScene& scene) {
   double closest = 1, any = 1;
   for ([[maybe_unused]] auto _ : state) {
     if (isSameTree) continue;
-    gpu::Context context({});
+    gpu::Context context({.device = setting("IMPORTON_BENCH_DEVICE")});
     test::RayTracer cutTracer(context, cut), wholeTracer(context, whole);
     closest = timeRatio(cutTracer, wholeTracer, makeBounceRays(scene, kRays), false);
     any = timeRatio(cutTracer, wholeTracer, makeShadowRays(scene, kRays), true);
