@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -84,22 +85,40 @@ class SurfaceSampler {
 
 }  // namespace
 
+std::string setting(const char* name) {
+  const char* const value = std::getenv(name);
+  return value != nullptr ? value : "";
+}
+
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + std::ssize(values) / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 std::span<const char* const> benchSceneNames() {
-  static constexpr std::array kNames{"height_field",  "cornell-box", "veach-bidir",       "modern-hall", "water-caustic",
-                                     "veach-ajar",    "living-room-dense", "cornell_box", "rooms"};
+  static constexpr std::array kNames{
+      "height_field", "cornell_box", "door_slit",   "rooms",         "ring",       "glass_ball",       "pool",
+      "glass_caustic", "cornell-box", "veach-bidir", "modern-hall", "water-caustic", "veach-ajar", "living-room-dense"};
   return kNames;
 }
 
 BenchScene loadBenchScene(const std::string& name) {
   if (name == "height_field") return makeHeightField();
   const std::filesystem::path own = std::filesystem::path(IMPORTON_SCENES) / name / (name + ".gltf");
-  const char* const chosen = std::getenv("IMPORTON_BENCH_SCENES");
-  const std::filesystem::path folder = chosen != nullptr ? chosen : IMPORTON_SHARED_SCENES;
+  const std::string chosen = setting("IMPORTON_BENCH_SCENES");
+  const std::filesystem::path folder = chosen.empty() ? IMPORTON_SHARED_SCENES : chosen;
   Log log(Log::Verbosity::quiet);
   Scene scene = loadGltf(std::filesystem::exists(own) ? own : folder / name / (name + ".glb"), log);
   return {std::move(scene.positions), std::move(scene.triangles)};
+}
+
+BenchScene turned(BenchScene scene) {
+  const glm::dmat3 turn(glm::rotate(glm::dmat4(1), 0.6, glm::normalize(glm::dvec3(1, 2, 3))));
+  for (vec3& position : scene.positions) position = vec3(turn * glm::dvec3(position));
+  return scene;
 }
 
 std::vector<Ray> makeBounceRays(const BenchScene& scene, std::size_t count) {

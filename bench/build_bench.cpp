@@ -1,7 +1,6 @@
 // Time to build the BVH, and its ratio to Embree's, measured in turns.
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <chrono>
 #include <vector>
 
@@ -17,12 +16,6 @@ namespace {
 
 using namespace importon;
 using namespace importon::bench;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ssize(values) / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// In turns with Embree, so that what else the machine does disturbs both alike.
 void measureBuild(benchmark::State& state, const BenchScene& scene) {

@@ -4,7 +4,6 @@
 #include <benchmark/benchmark.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <optional>
 
 #include "accel/ray_tracer.h"
@@ -22,12 +21,6 @@ using namespace importon;
 using namespace importon::bench;
 
 constexpr std::size_t kRays = 1000000, kRaysOnGpu = 4000000;
-
-/// A variable of the environment; empty where it is not set.
-std::string setting(const char* name) {
-  const char* const value = std::getenv(name);
-  return value != nullptr ? value : "";
-}
 
 void measureTraversal(benchmark::State& state, const BenchScene& scene, bool isAnyHit) {
   gpu::Context context({.device = setting("IMPORTON_BENCH_DEVICE")});
@@ -61,6 +54,7 @@ void measureTraversal(benchmark::State& state, const BenchScene& scene, bool isA
   const double traced = static_cast<double>(count) * static_cast<double>(state.iterations());
   if (tracer.unfinished() > 0) state.SkipWithError("rays were given up");
   state.SetLabel(context.info().name);
+  state.counters["triangles"] = static_cast<double>(scene.triangles.size());
   state.counters["Mrays/s"] = traced / seconds * 1e-6;
   state.counters["device_Mrays/s"] = traced / deviceSeconds * 1e-6;  // by its own clock
 #ifdef IMPORTON_HAS_EMBREE

@@ -66,7 +66,7 @@ LargeVector<BvhRecord> build(std::span<const vec3> positions, std::span<const Tr
   };
   BinaryTree binary = buildOver({});
   if (binary.coincident > kMaxCoincident) binary = buildOver(distinctTriangles(positions, triangles));
-  // Among triangles along the axes it brings less than it costs shadow rays (docs/performance.md).
+  // Among triangles along the axes it brings less than it costs shadow rays (docs/experiments/trees.md).
   if (isCut) return encodeImproved(binary, positions, triangles);
   return encodeBvh(binary, WideTree(binary, {}), positions, triangles);
 }
