@@ -127,8 +127,7 @@ TEST_F(DensityControlTest, FollowsImportance) {
   rig.findImportance();
   // Seen straight from above: 6 photons a pixel, and 1024 pixels see (2·2·tan 0.25)² m²: more than the floor.
   rig.parameters.globalMap.photonsPerPixel = 6;
-  rig.importance.global = std::move(rig.importance.caustic);
-  rig.parameters.globalMap.importonLevels = rig.parameters.causticMap.importonLevels;
+  rig.seeGlobalMapDirectly();
   const PhotonMap map = rig.shoot(MapKind::global, DensityControl::density, 1);
   const double half = 0.8 * 2 * std::tan(0.25);
   int seen = 0;

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "render/eye_pass.h"
+#include "render/irradiance_map.h"
 #include "shared/bindings.h"
 #include "shared/push_data.h"
 #include "shared/ray_data.h"
@@ -27,6 +28,17 @@ MapRig::MapRig(gpu::Context& context, const Scene& scene, const RenderJob& job)
 
 void MapRig::findImportance() {
   buildImportance(*stage_, parameters, importance, plan.importons, plan.nearestImportons, features_.needsCausticMap);
+}
+
+void MapRig::seeGlobalMapDirectly() {
+  importance.global = std::move(importance.caustic);
+  parameters.globalMap.importonLevels = parameters.causticMap.importonLevels;
+}
+
+void MapRig::setImportance(const std::function<float(const vec3&)>& value) {
+  std::vector<float> values;
+  for (const MapPoint& site : importance.global.readPoints()) values.push_back(value(site.position));
+  importance.global.importance.upload(std::span<const float>(values));
 }
 
 ImportonsFound MapRig::importons(MapKind kind) const {
@@ -92,6 +104,25 @@ PhotonMap MapRig::shoot(MapKind kind, const StorageRule& rule, std::uint64_t cap
   map.finish(*stage_, required, plan.nearestPhotons);
   recorder_->submitAndWait();
   return map;
+}
+
+CellFlux MapRig::shootIntoCells(const SurfaceCells& cells) {
+  parameters.irradianceUnits = parameters.fluxScale;
+  parameters.photonUnits = 1 / (parameters.totalPower * parameters.irradianceUnits);
+  IrradianceMap map(context_, cells, plan.workspace.records, parameters.irradianceUnits, 0);
+  map.bind(work_->table, 0);
+  work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
+  recorder_->fill(work_->counters, 0);
+  for (std::uint32_t first = 0; first < plan.whole.photons; first += plan.batch) {
+    tracePhotons(*stage_, {MapKind::global, nullptr}, first, std::min(plan.batch, plan.whole.photons - first), parameters.maxDepth);
+    map.addBatch(*stage_);
+  }
+  recorder_->submitAndWait();
+  map.setPasses(1);
+  CellFlux flux{{}, map.readFlux().isEnergyExact};
+  const auto words = map.memory().front()->download<std::uint64_t>(8 * cells.areas.size());
+  for (std::size_t at = 0; at < words.size(); at += 4) flux.sides.push_back({words[at], words[at + 1], words[at + 2]});
+  return flux;
 }
 
 std::vector<MapPoint> MapRig::photons(const PhotonMap& map) const {

@@ -1,5 +1,7 @@
 /// A scene on the device with all that its photon maps need, for tests that look into the maps.
 #pragma once
+#include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "render/pass_plan.h"
 #include "render/photon_map.h"
 #include "render/photon_pass.h"
+#include "render/surface_cells.h"
 
 namespace importon::test {
 
@@ -25,6 +28,12 @@ struct EmittedPhoton {
   vec3 flux;  // W
 };
 
+/// Flux in surface cells, in whole units.
+struct CellFlux {
+  std::vector<std::array<std::uint64_t, 3>> sides;  // two of each cell
+  bool isEnergyExact = false;                       // their sum is that of all hits, to the last bit
+};
+
 class MapRig {
  public:
   MapRig(gpu::Context& context, const Scene& scene, const RenderJob& job);
@@ -34,12 +43,18 @@ class MapRig {
   ImportanceMaps importance;
 
   void findImportance();
+  /// Has the sites of the caustic map in the global one: they lie where the camera looks. Importance must have been found.
+  void seeGlobalMapDirectly();
+  /// Gives each site of the global map the importance (pixels/m²) that `importance` says.
+  void setImportance(const std::function<float(const vec3&)>& importance);
   [[nodiscard]] ImportonsFound importons(MapKind kind) const;
   /// Shoots the plan's photons into a map of `capacity` photons (0: the plan's).
   [[nodiscard]] PhotonMap shoot(MapKind kind, const StorageRule& rule, std::uint64_t capacity = 0);  // finished for plan.nearestPhotons
   [[nodiscard]] PhotonMap shoot(MapKind kind, DensityControl control, uint receivers, std::uint64_t capacity = 0) {
     return shoot(kind, {control, receivers}, capacity);
   }
+  /// Shoots the plan's photons into surface cells: of both sides of each, three channels of flux in whole units.
+  [[nodiscard]] CellFlux shootIntoCells(const SurfaceCells& cells);
   /// For kernels of tests: what the renderer's kernels are bound to, and made for.
   [[nodiscard]] const gpu::BindingTable& bindings() const { return work_->table; }
   [[nodiscard]] const FeatureSet& features() const { return features_; }

@@ -1,4 +1,5 @@
-// Power handed over to stored photons: none is lost, none crosses a step of importance.
+// Power handed over to stored photons: none is lost, however it is shared out. That none crosses a step of importance is
+// shown in importance_step_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>
