@@ -59,12 +59,40 @@ double twoSidedStudent(double t, double degreesOfFreedom) {
   return regularizedBeta(0.5 * degreesOfFreedom, 0.5, degreesOfFreedom / (degreesOfFreedom + t * t));
 }
 
+/// P(T >= t).
+double upperStudent(double t, double degreesOfFreedom) {
+  const double beyond = 0.5 * twoSidedStudent(t, degreesOfFreedom);
+  return t < 0 ? 1 - beyond : beyond;
+}
+
 TestResult exactComparison(bool isEqual) {
   return isEqual ? TestResult{0, 0, 1} : TestResult{std::numeric_limits<double>::infinity(), 0, 0};
 }
 
 void requireTwo(const Moments& values) {
   if (values.count() < 2) throw std::invalid_argument("a t-test needs two values at least");
+}
+
+/// Degrees of freedom of a sum of two means with the variances va and vb [Satterthwaite 1946].
+double satterthwaite(double va, std::int64_t countA, double vb, std::int64_t countB) {
+  return (va + vb) * (va + vb) / (va * va / static_cast<double>(countA - 1) + vb * vb / static_cast<double>(countB - 1));
+}
+
+Equivalence equivalenceOf(double ratio, double standardError, double degreesOfFreedom, double margin) {
+  Equivalence result{ratio, standardError, degreesOfFreedom, margin, 1};
+  const double inside = margin - std::abs(ratio - 1);
+  if (standardError == 0) {
+    result.pValue = inside > 0 ? 0 : 1;
+  } else {
+    result.pValue = upperStudent(inside / standardError, degreesOfFreedom);
+  }
+  return result;
+}
+
+void requireEquivalenceTest(double expected, double margin) {
+  if (!(margin > 0 && margin < 1) || expected == 0 || !std::isfinite(expected)) {
+    throw std::invalid_argument("equivalenceTest: needs a margin between 0 and 1 and an expectation other than 0");
+  }
 }
 
 }  // namespace
@@ -151,11 +179,56 @@ TestResult welchTest(const Moments& a, const Moments& b) {
   const double vb = b.variance() / static_cast<double>(b.count());
   if (va + vb == 0) return exactComparison(a.mean() == b.mean());
   const double t = (a.mean() - b.mean()) / std::sqrt(va + vb);
-  // [Welch 1947, Satterthwaite 1946]
-  const double degreesOfFreedom =
-      (va + vb) * (va + vb) /
-      (va * va / static_cast<double>(a.count() - 1) + vb * vb / static_cast<double>(b.count() - 1));
+  const double degreesOfFreedom = satterthwaite(va, a.count(), vb, b.count());  // [Welch 1947]
   return {t, degreesOfFreedom, twoSidedStudent(t, degreesOfFreedom)};
+}
+
+/// Averaged over the standard errors that such samples may show, whose ratio to the true one has the density of a chi over
+/// the root of its degrees of freedom.
+double Equivalence::power(double significance) const {
+  if (standardError == 0) return 1;
+  const double atEquality = margin / standardError, point = studentPoint(significance, degreesOfFreedom);
+  constexpr int kSteps = 4000;
+  constexpr double kMostError = 5;  // of the true one; a chi of one degree of freedom is rarely above
+  double passed = 0, all = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double error = (i + 0.5) * kMostError / kSteps;
+    const double density =
+        std::exp((degreesOfFreedom - 1) * std::log(error) - 0.5 * degreesOfFreedom * (error * error - 1));
+    const double widest = atEquality - point * error;  // of a passing deviation, in true standard errors
+    if (widest > 0) passed += density * (1 - twoSidedNormal(widest));
+    all += density;
+  }
+  return passed / all;
+}
+
+Equivalence equivalenceTest(const Moments& values, double expected, double margin) {
+  requireTwo(values);
+  requireEquivalenceTest(expected, margin);
+  return equivalenceOf(values.mean() / expected, values.standardError() / std::abs(expected),
+                       static_cast<double>(values.count() - 1), margin);
+}
+
+Equivalence equivalenceTest(const Moments& a, const Moments& b, double margin) {
+  requireTwo(a);
+  requireTwo(b);
+  requireEquivalenceTest(b.mean(), margin);
+  // Of a - (1 ± margin) b; the greater one for both sides.
+  const double va = a.variance() / static_cast<double>(a.count());
+  const double vb = (1 + margin) * (1 + margin) * b.variance() / static_cast<double>(b.count());
+  const double degreesOfFreedom = va + vb == 0 ? 1 : satterthwaite(va, a.count(), vb, b.count());
+  return equivalenceOf(a.mean() / b.mean(), std::sqrt(va + vb) / std::abs(b.mean()), degreesOfFreedom, margin);
+}
+
+double studentPoint(double significance, double degreesOfFreedom) {
+  if (!(significance > 0 && significance < 0.5)) throw std::invalid_argument("studentPoint: needs 0 < significance < 0.5");
+  double low = 0, high = 1;
+  while (upperStudent(high, degreesOfFreedom) > significance) high *= 2;
+  for (int i = 0; i < 80; ++i) {
+    const double middle = 0.5 * (low + high);
+    (upperStudent(middle, degreesOfFreedom) > significance ? low : high) = middle;
+  }
+  return high;
 }
 
 double sidak(double significance, std::int64_t tests) {

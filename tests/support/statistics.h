@@ -55,6 +55,29 @@ struct TestResult {
 /// Welch's test that two samples have the same mean, whatever their variances. Needs two values in each.
 [[nodiscard]] TestResult welchTest(const Moments& a, const Moments& b);
 
+/// How surely means are equal within a relative margin, by two one-sided t-tests: that the ratio is above 1 - margin,
+/// and that it is below 1 + margin. [Schuirmann 1987]
+struct Equivalence {
+  double ratio = 0;          // of the mean found to the one expected
+  double standardError = 0;  // of the ratio
+  double degreesOfFreedom = 0;
+  double margin = 0;
+  double pValue = 1;  // the greater one: probability of a result that speaks so well for equality if the ratio is off by
+                      // the margin
+  /// Probability that a test with this standard error gives a p-value of at most `significance` if the ratio is 1.
+  [[nodiscard]] double power(double significance) const;
+};
+
+/// That the values have the mean `expected` within `margin` of it. Needs two values, an expectation that is not 0 and a
+/// margin in (0, 1), else throws std::invalid_argument.
+[[nodiscard]] Equivalence equivalenceTest(const Moments& values, double expected, double margin);
+
+/// That the mean of a is that of b within `margin` of it, whatever their variances [Welch 1947].
+[[nodiscard]] Equivalence equivalenceTest(const Moments& a, const Moments& b, double margin);
+
+/// The t that Student's distribution exceeds with the probability `significance`, which is in (0, 0.5).
+[[nodiscard]] double studentPoint(double significance, double degreesOfFreedom);
+
 /// Significance of each of `tests` independent tests such that all hold with probability 1 - significance
 /// [Šidák 1967].
 [[nodiscard]] double sidak(double significance, std::int64_t tests);

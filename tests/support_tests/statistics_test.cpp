@@ -5,7 +5,10 @@
 #include <cmath>
 #include <random>
 #include <stdexcept>
+#include <string>
 #include <vector>
+
+#include "support/claims.h"
 
 namespace importon::test {
 namespace {
@@ -175,6 +178,104 @@ TEST(WelchTest, RejectsEqualMeansOfUnequalSpreadAsOftenAsItsSignificanceSays) {
   }
   // As above, and 0.01 for the values not being normal.
   EXPECT_NEAR(rejected, 100, 4 * std::sqrt(2000 * 0.05 * 0.95) + 0.01 * kRuns);
+}
+
+/// Sums of twelve uniform values: nearly normal, of variance 1.
+double normal(std::mt19937_64& generator) {
+  double sum = -6;
+  for (int i = 0; i < 12; ++i) sum += uniform(generator);
+  return sum;
+}
+
+Moments normalSample(std::mt19937_64& generator, int count, double mean, double deviation) {
+  Moments values;
+  for (int i = 0; i < count; ++i) values.add(mean + deviation * normal(generator));
+  return values;
+}
+
+TEST(StudentPoint, AgreesWithPublishedTables) {
+  EXPECT_NEAR(studentPoint(0.025, 1), 12.7062047362, 1e-9);
+  EXPECT_NEAR(studentPoint(0.01, 14), 2.62449406759, 1e-9);
+  EXPECT_NEAR(studentPoint(0.05, 120), 1.65765, 1e-5);
+  EXPECT_THROW(static_cast<void>(studentPoint(0.5, 3)), std::invalid_argument);
+}
+
+TEST(EquivalenceTest, IsTheLesserOfTwoOneSidedTests) {
+  // Mean 10.1, standard error 0.1, one degree of freedom; margin 0.5: 4 standard errors to the nearer limit.
+  const Moments values = momentsOf(std::vector<double>{10.0, 10.2});
+  const Equivalence found = equivalenceTest(values, 10, 0.05);
+  EXPECT_NEAR(found.ratio, 1.01, 1e-12);
+  EXPECT_NEAR(found.standardError, 0.01, 1e-12);
+  EXPECT_NEAR(found.pValue, 0.5 - std::atan(4.0) / 3.14159265358979, 1e-9);  // Cauchy's distribution
+  EXPECT_GT(equivalenceTest(values, 12, 0.05).pValue, 0.5) << "outside of the margin";
+}
+
+TEST(EquivalenceTest, ComparesExactlyWithoutAnError) {
+  const Moments values = momentsOf(std::vector<double>{3, 3});
+  EXPECT_EQ(equivalenceTest(values, 3.1, 0.05).pValue, 0.0);
+  EXPECT_EQ(equivalenceTest(values, 3.3, 0.05).pValue, 1.0);
+  EXPECT_EQ(equivalenceTest(values, values, 0.05).power(0.01), 1.0);
+}
+
+TEST(EquivalenceTest, RefusesWhatItCannotCompare) {
+  const Moments one = momentsOf(std::vector<double>{1}), two = momentsOf(std::vector<double>{1, 2}),
+                none = momentsOf(std::vector<double>{-1, 1});
+  EXPECT_THROW(static_cast<void>(equivalenceTest(one, 1, 0.1)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(equivalenceTest(two, one, 0.1)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(equivalenceTest(two, none, 0.1)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(equivalenceTest(two, 1, 0)), std::invalid_argument);
+}
+
+/// Share of 4000 tries in which the test passes at 0.05 for means of the ratio `ratio`, and what power says of the true
+/// standard error: 0.02, of 6 values against 10.
+double passingShare(double ratio, std::uint64_t seed) {
+  std::mt19937_64 generator(seed);
+  constexpr int kRuns = 4000;
+  int passed = 0;
+  for (int run = 0; run < kRuns; ++run) {
+    const Moments a = normalSample(generator, 6, ratio, 0.0346), b = normalSample(generator, 10, 1, 0.0447);
+    passed += equivalenceTest(a, b, 0.07).pValue <= 0.05;
+  }
+  return static_cast<double>(passed) / kRuns;
+}
+
+TEST(EquivalenceTest, PassesMeansThatAreOffByTheMarginNoMoreOftenThanItsSignificanceSays) {
+  const double fiveDeviations = 5 * std::sqrt(0.05 * 0.95 / 4000);
+  EXPECT_LT(passingShare(1.07, 1), 0.05 + fiveDeviations);
+  EXPECT_LT(passingShare(0.93, 2), 0.05 + fiveDeviations);
+  EXPECT_GT(passingShare(1.07, 1), 0.02) << "nor much less often";
+}
+
+TEST(EquivalenceTest, PassesEqualMeansAsOftenAsItsPowerSays) {
+  Equivalence known;
+  known.standardError = std::sqrt(0.0346 * 0.0346 / 6 + 1.07 * 1.07 * 0.0447 * 0.0447 / 10);
+  known.degreesOfFreedom = 12;
+  known.margin = 0.07;
+  const double power = known.power(0.05);
+  EXPECT_GT(power, 0.8);
+  EXPECT_LT(power, 0.95);
+  EXPECT_NEAR(passingShare(1, 3), power, 0.03);
+}
+
+TEST(Claims, FailWhereTheSamplesAreTooFewToShowThem) {
+  const Moments rough = momentsOf(std::vector<double>{0.98, 1.02, 1.0}),
+                fine = momentsOf(std::vector<double>{0.998, 1.002, 1.0, 1.001, 0.999, 1.0});
+  const ::testing::AssertionResult found = isWithin(0.02, rough, 1);
+  EXPECT_FALSE(found);
+  EXPECT_NE(std::string(found.message()).find("underpowered"), std::string::npos);
+  EXPECT_TRUE(isWithin(0.02, fine, 1));
+  EXPECT_TRUE(areWithin(0.02, fine, fine));
+  EXPECT_FALSE(isWithin(0.02, fine, 1.03));
+  EXPECT_FALSE(isWithin(0.02, fine, 0.97));
+}
+
+TEST(Claims, OfBoundsFailWhereAMeanIsOnlyNotRefuted) {
+  const Moments values = momentsOf(std::vector<double>{7.9, 8.3, 8.2, 7.7});
+  EXPECT_FALSE(isAbove(8, values)) << "8.025 +- 0.14";
+  EXPECT_FALSE(isBelow(8, values));
+  EXPECT_TRUE(isAbove(7, values));
+  EXPECT_TRUE(isBelow(9, values));
+  EXPECT_FALSE(isAbove(9, values));
 }
 
 TEST(Sidak, KeepsTheSignificanceOfTheWhole) {
