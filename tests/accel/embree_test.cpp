@@ -1,10 +1,14 @@
-// kernels/trace.comp against Embree in robust mode, on real scenes.
+// kernels/trace.comp against Embree in robust mode: on the project's own scenes, and on others where a folder of them
+// is named.
 #include <embree3/rtcore.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "accel/exact_oracle.h"
 #include "accel/ray_tracer.h"
@@ -72,7 +76,7 @@ class Embree {
   RTCScene scene_;
 };
 
-class EmbreeTest : public GpuTest, public ::testing::WithParamInterface<const char*> {
+class EmbreeTest : public GpuTest, public ::testing::WithParamInterface<std::filesystem::path> {
  protected:
   /// Rays on which the two don't agree within rounding of the coordinates are judged in double precision: ours
   /// is right if no surely hit point lies nearer, and if there may be a hit where it found one.
@@ -103,13 +107,28 @@ Mesh loadMesh(const std::filesystem::path& file) {
   return {scene.positions, scene.triangles};
 }
 
+/// The scenes NAME/NAME`extension` of a folder, none if it is not there.
+std::vector<std::filesystem::path> scenesIn(const std::filesystem::path& folder, const char* extension) {
+  std::vector<std::filesystem::path> scenes;
+  if (!std::filesystem::is_directory(folder)) return scenes;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::filesystem::path scene = entry.path() / (entry.path().filename().string() + extension);
+    if (std::filesystem::exists(scene)) scenes.push_back(scene);
+  }
+  std::sort(scenes.begin(), scenes.end());
+  return scenes;
+}
+
+std::string nameOf(const ::testing::TestParamInfo<std::filesystem::path>& scene) {
+  std::string name = scene.param.stem();
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
 }  // namespace
 
 TEST_P(EmbreeTest, AgreesOnSurfaceAxisParallelAndGrazingRays) {
-  const std::filesystem::path file =
-      std::filesystem::path(IMPORTON_SHARED_SCENES) / GetParam() / (GetParam() + std::string(".glb"));
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
-  const Mesh mesh = loadMesh(file);
+  const Mesh mesh = loadMesh(GetParam());
   const Embree embree(mesh);
   RayTracer tracer(context(), buildBvh(mesh.positions, mesh.triangles));
   for (const auto& [kind, rays] : {std::pair("surface", surfaceRays(mesh, kRays, 41)),
@@ -119,13 +138,9 @@ TEST_P(EmbreeTest, AgreesOnSurfaceAxisParallelAndGrazingRays) {
   EXPECT_EQ(tracer.unfinished(), 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, EmbreeTest,
-                         ::testing::Values("cornell-box", "veach-bidir", "modern-hall", "water-caustic",
-                                           "veach-ajar", "living-room-dense"),
-                         [](const auto& scene) {
-                           std::string name = scene.param;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(OwnScenes, EmbreeTest, ::testing::ValuesIn(scenesIn(IMPORTON_SCENES, ".gltf")), nameOf);
+INSTANTIATE_TEST_SUITE_P(OtherScenes, EmbreeTest, ::testing::ValuesIn(scenesIn(IMPORTON_OTHER_SCENES, ".glb")), nameOf);
+
+TEST(EmbreeOracle, IsThereForAllOwnScenes) { EXPECT_EQ(scenesIn(IMPORTON_SCENES, ".gltf").size(), 7u); }
 
 }  // namespace importon::test
