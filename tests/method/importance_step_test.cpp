@@ -1,5 +1,6 @@
 // Keller and Wald's door slit in small: at a step of importance no power is handed over to the other side, by any rule
-// that stores photons. Two lamps light one side each, one red and one blue, so that every photon shows whose power it has.
+// that stores photons. Two lamps light one side each, one red and one blue, so that every photon shows whose power it
+// has.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +24,7 @@ constexpr Densities kGentle{200, 800};  // 11 cm and 5.6 cm: photons of the one 
 constexpr Densities kEven{6, 6};        // no step
 constexpr double kFloor = 0.49;    // half its side, m
 constexpr float kStep = 0.01f;     // x of the step: where importons' cells end, at all sizes
-constexpr double kGap = 0.03;      // from the step to the lit discs, m: together out of reach for the right side's radii
+constexpr double kGap = 0.03;      // from the step to the lit discs, m: out of reach for the right side's radii
 constexpr double kDisc = 0.09;     // radius of a lit disc, m
 
 /// A floor lit red left of the step and blue right of it. Columns: into which the floor is cut.
@@ -32,7 +33,8 @@ Scene floorWithStep(int columns) {
   const uint grey = builder.material(test::diffuse(vec3(0.5f)));
   const int left = std::max(columns * 50 / 98, 1);
   builder.quad(grey, {-kFloor, 0, kFloor}, {kFloor + kStep, 0, 0}, {0, 0, -2 * kFloor}, left, columns);
-  builder.quad(grey, {kStep, 0, kFloor}, {kFloor - kStep, 0, 0}, {0, 0, -2 * kFloor}, std::max(columns - left, 1), columns);
+  const int right = std::max(columns - left, 1);
+  builder.quad(grey, {kStep, 0, kFloor}, {kFloor - kStep, 0, 0}, {0, 0, -2 * kFloor}, right, columns);
   // What asks for a caustic map, so that importons of the camera's first hits are kept; nothing sees it.
   builder.square(builder.material(test::mirror()), {0, -0.1, 0}, {0, -1, 0}, 0.01);
   for (const bool isRight : {false, true}) {
@@ -96,12 +98,14 @@ class ImportanceStep : public test::GpuTest {
     for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
       const Triangle& t = scene.triangles[i];
       const float x = (scene.positions[t.v0].x + scene.positions[t.v1].x + scene.positions[t.v2].x) / 3;
-      for (uint k = 0; k < cells.triangles[i].y * cells.triangles[i].y; ++k) isRight[cells.triangles[i].x + k] = x > kStep;
+      const uint first = cells.triangles[i].x, parts = cells.triangles[i].y;
+      for (uint k = 0; k < parts * parts; ++k) isRight[first + k] = x > kStep;
     }
     Sides sides;
     for (std::size_t side = 0; side < flux.sides.size(); ++side) {
       const auto& f = flux.sides[side];
-      if (f[0] + f[1] + f[2] > 0) add(sides, isRight[side / 2] != 0, static_cast<double>(f[0]), static_cast<double>(f[2]));
+      if (f[0] + f[1] + f[2] == 0) continue;
+      add(sides, isRight[side / 2] != 0, static_cast<double>(f[0]), static_cast<double>(f[2]));
     }
     return sides;
   }
@@ -180,7 +184,8 @@ GreenPhotons greenOf(test::MapRig& rig, const StorageRule& rule, double radius) 
   bool isWallNear = false, isLedgeNear = false;
   for (std::size_t i = 0; i < photons.size(); ++i) {
     const glm::dvec3 p(photons[i].position);
-    const bool isOnWall = p.x > kFromWall - 1e-5, isOnLedge = !isOnWall && p.y < -1e-5, isNear = glm::length(p) < radius;
+    const bool isOnWall = p.x > kFromWall - 1e-5, isOnLedge = !isOnWall && p.y < -1e-5;
+    const bool isNear = glm::length(p) < radius;
     isWallNear = isWallNear || (isOnWall && isNear);
     isLedgeNear = isLedgeNear || (isOnLedge && isNear);
     if (flux[i].y == 0) continue;

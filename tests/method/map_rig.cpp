@@ -114,7 +114,8 @@ CellFlux MapRig::shootIntoCells(const SurfaceCells& cells) {
   work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
   recorder_->fill(work_->counters, 0);
   for (std::uint32_t first = 0; first < plan.whole.photons; first += plan.batch) {
-    tracePhotons(*stage_, {MapKind::global, nullptr}, first, std::min(plan.batch, plan.whole.photons - first), parameters.maxDepth);
+    const std::uint32_t count = std::min(plan.batch, plan.whole.photons - first);
+    tracePhotons(*stage_, {MapKind::global, nullptr}, first, count, parameters.maxDepth);
     map.addBatch(*stage_);
   }
   recorder_->submitAndWait();

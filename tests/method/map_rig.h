@@ -43,7 +43,8 @@ class MapRig {
   ImportanceMaps importance;
 
   void findImportance();
-  /// Has the sites of the caustic map in the global one: they lie where the camera looks. Importance must have been found.
+  /// Has the sites of the caustic map in the global one: they lie where the camera looks. Importance must have been
+  /// found.
   void seeGlobalMapDirectly();
   /// Gives each site of the global map the importance (pixels/m²) that `importance` says.
   void setImportance(const std::function<float(const vec3&)>& importance);

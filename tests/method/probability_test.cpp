@@ -63,8 +63,8 @@ TEST_F(ProbabilityControl, StoresTheRequiredDensity) {
   EXPECT_EQ(counts.redistributed, 0u);
 }
 
-/// The plane in the light of a lamp above a corner, so that the probability differs from place to place. All photons but
-/// those at the light's very edge have the same flux.
+/// The plane in the light of a lamp above a corner, so that the probability differs from place to place. All photons
+/// but those at the light's very edge have the same flux.
 Scene unevenlyLitPlane() {
   SceneBuilder builder;
   builder.square(builder.material(test::diffuse(vec3(0.5f))), {0, 0, 0}, {0, 1, 0}, 2);
@@ -80,9 +80,9 @@ std::size_t placeOf(const vec3& p) {
   return static_cast<std::size_t>(at(p.x) * kPlaces + at(p.z));
 }
 
-/// Each hit is kept with its p and weighs 1/p, so what is kept at a place is in the mean what all hits bring there: those
-/// of the same photons without control. Its variance is estimated without bias by the kept ones' (1-p)/p² [Horvitz and
-/// Thompson 1952], in units of a photon's flux.
+/// Each hit is kept with its p and weighs 1/p, so what is kept at a place is in the mean what all hits bring there:
+/// those of the same photons without control. Its variance is estimated without bias by the kept ones' (1-p)/p²
+/// [Horvitz and Thompson 1952], in units of a photon's flux.
 TEST_F(ProbabilityControl, KeepsThePowerOfEveryPlaceInExpectation) {
   constexpr int kSeeds = 32;
   const Scene scene = unevenlyLitPlane();
