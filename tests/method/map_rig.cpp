@@ -80,8 +80,13 @@ ExpectedDensity MapRig::countPilot(MapKind kind) {
 }
 
 PhotonMap MapRig::shoot(MapKind kind, const StorageRule& rule, std::uint64_t capacity) {
+  PhotonMap map(context_, kind, capacity != 0 ? capacity : plan.capacityFor(kind));
+  shootInto(map, kind, rule);
+  return map;
+}
+
+void MapRig::shootInto(PhotonMap& map, MapKind kind, const StorageRule& rule) {
   const ImportanceMap& required = kind == MapKind::caustic ? importance.caustic : importance.global;
-  PhotonMap map(context_, kind, capacity != 0 ? capacity : plan.capacityFor(kind), plan.workspace.records);
   work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
   recorder_->fill(work_->counters, 0);
   map.begin(*stage_);
@@ -91,7 +96,11 @@ PhotonMap MapRig::shoot(MapKind kind, const StorageRule& rule, std::uint64_t cap
   }
   map.finish(*stage_, required, plan.nearestPhotons);
   recorder_->submitAndWait();
-  return map;
+}
+
+void MapRig::estimateIrradiance(PhotonMap& map, MapKind kind, bool atPhotons) {
+  map.estimateIrradiance(*stage_, kind == MapKind::caustic ? importance.caustic : importance.global, atPhotons);
+  recorder_->submitAndWait();
 }
 
 std::vector<MapPoint> MapRig::photons(const PhotonMap& map) const {

@@ -40,6 +40,10 @@ class MapRig {
   [[nodiscard]] PhotonMap shoot(MapKind kind, DensityControl control, uint receivers, std::uint64_t capacity = 0) {
     return shoot(kind, {control, receivers}, capacity);
   }
+  /// Shoots them into a map that may have been used before.
+  void shootInto(PhotonMap& map, MapKind kind, const StorageRule& rule);
+  /// Precomputes irradiance of a finished map, at its photons or at the importons.
+  void estimateIrradiance(PhotonMap& map, MapKind kind, bool atPhotons);
   /// For kernels of tests: what the renderer's kernels are bound to, and made for.
   [[nodiscard]] const gpu::BindingTable& bindings() const { return work_->table; }
   [[nodiscard]] const FeatureSet& features() const { return features_; }
