@@ -23,7 +23,7 @@ def measure(options, folder):
             hits = stats["photons"]["global"]
             rows.append({"source": source, "kept": kept, "photons": photons, "hits": hits["hits"], "stored": hits["stored"],
                          "maps": stats["memory"]["photon_map_bytes"], "device": stats["memory"]["device_peak_bytes"],
-                         "shooting": stats["seconds"]["photons"], "processor": stats["processor_seconds"],
+                         "processor": stats["processor_seconds"],
                          "is_full": any(w["kind"] == "photon map full" for w in stats["warnings"])})
     return {"device": stats["device"], "rows": rows}
 
@@ -32,8 +32,8 @@ def text(found):
     rows = found["rows"]
     cells = [[r["source"], r["kept"], number(r["photons"]), number(r["hits"]),
               "more than fit" if r["is_full"] else number(r["stored"]), f"{r['maps'] / MIB:.1f}", f"{r['device'] / MIB:.0f}",
-              f"{r['shooting']:.1f}", f"{r['processor']:.1f}"] for r in rows]
-    head = ["gathers read", "kept", "photons", "hits", "stored", "maps, MiB", "device, MiB", "photons, s", "processor, s"]
+              f"{r['processor']:.1f}"] for r in rows]
+    head = ["gathers read", "kept", "photons", "hits", "stored", "maps, MiB", "device, MiB", "processor, s"]
     most = {r["kept"]: r for r in rows[-len(WAYS):]}
     free, controlled = most["all"], most["as many as required"]
     ratio = lambda key: free[key] / controlled[key]
@@ -45,7 +45,7 @@ def text(found):
         fits = [r for r in rows if r["kept"] == "all" and not r["is_full"]][-1]
         needed = free["hits"] * fits["maps"] / fits["stored"] / MIB
         lines += ["", f"More than fit: all hits would need some {number(needed)} MiB, which is more than kernels of this device "
-                      f"can bind. The map grew to {free['maps'] / MIB:.0f} MiB; then the program began the pass again, with control."]
+                      f"can bind. The map grew to {free['maps'] / MIB:.0f} MiB; then the pass began again, with control."]
     lines += ["", f"On {found['device']['name']}, {found['device']['driver']}."]
     return "\n".join(lines)
 
