@@ -5,13 +5,12 @@
 
 layout(scalar, binding = kBindingNeighbours) readonly buffer HomesBlock { uint homes[]; };
 layout(scalar, binding = kBindingNextQueue) readonly buffer AcceptedBlock { uint accepted[]; };
-layout(scalar, binding = kBindingPhotonSlots) writeonly buffer SlotsBlock { uint photonSlots[]; };
+layout(push_constant, scalar) uniform PushBlock { CellSettlePush push; };
 
 void main() {
   const uint k = invocationIndex();
   if (k >= counters[kCounterAccepted]) return;
-  const uint photon = counters[kCounterStored] + k, slot = homes[accepted[k]];
-  if (photon >= uint(photonSlots.length())) return;  // no room
-  photonCells[slot].photon = photon;
-  photonSlots[photon] = slot;
+  const uint photon = counters[kCounterStored] + k;
+  if (photon >= push.capacity) return;  // no room
+  photonCells[homes[accepted[k]]].photon = photon;
 }

@@ -23,7 +23,7 @@ void main() {
   point.packed = withMapPointLevel(point.packed, level);
   required[i] = density;
   selectedPoints[i] = point;
-  keys[i] = gridSlot(frame, gridCellOf(frame, point.position, level), level);
+  if (push.isControlled != 0u) keys[i] = gridSlot(frame, gridCellOf(frame, point.position, level), level);
   keep[i] = uint(push.isControlled == 0u);
   atomicOr(counters[kCounterLevels], 1u << level);
 }

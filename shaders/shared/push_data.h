@@ -189,6 +189,11 @@ struct CellFindPush {
   uint isGlobal;
 };
 
+/// kernels/cell_settle.comp
+struct CellSettlePush {
+  uint capacity;
+};
+
 /// kernels/photon_emit.comp
 struct PhotonEmitPush {
   uint firstPhoton;

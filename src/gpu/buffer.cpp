@@ -140,7 +140,7 @@ void checkRange(const Buffer& buffer, std::uint64_t offset, std::uint64_t bytes)
 }  // namespace
 
 Buffer::Buffer(Context& context, std::string name, std::uint64_t bytes, TexelFormat texels)
-    : impl_(std::make_unique<Impl>()), name_(std::move(name)) {
+    : impl_(std::make_unique<Impl>()), name_(std::move(name)), texels_(texels) {
   const std::uint64_t texelBytes = texelInfo(texels).bytes;
   bytes_ = std::max((bytes + texelBytes - 1) / texelBytes * texelBytes, texelBytes);
   const std::uint64_t padded = texels == TexelFormat::none ? bytes_ : bytes_ + paddingOf(bytes_);
@@ -155,6 +155,8 @@ Buffer::Buffer() = default;
 Buffer::~Buffer() = default;
 Buffer::Buffer(Buffer&&) noexcept = default;
 Buffer& Buffer::operator=(Buffer&&) noexcept = default;
+
+std::uint64_t Buffer::allocatedBytes() const { return impl_ ? impl_->allocatedBytes : 0; }
 
 void Buffer::uploadBytes(std::span<const std::byte> data, std::uint64_t offset) {
   checkRange(*this, offset, data.size());

@@ -27,7 +27,10 @@ class Buffer {
   Buffer& operator=(Buffer&&) noexcept;
 
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+  /// What it takes of the device's memory; 0 for none.
+  [[nodiscard]] std::uint64_t allocatedBytes() const;
   [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] TexelFormat texels() const { return texels_; }
   explicit operator bool() const { return impl_ != nullptr; }
 
   /// Copies through staging memory and waits.
@@ -51,6 +54,7 @@ class Buffer {
   std::unique_ptr<Impl> impl_;
   std::string name_;
   std::uint64_t bytes_ = 0;
+  TexelFormat texels_ = TexelFormat::none;
 };
 
 /// A buffer that holds `data`.

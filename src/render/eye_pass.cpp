@@ -57,7 +57,8 @@ void traceImportons(const Stage& stage, const ImportanceMap& global, std::uint32
   gpu::BindingTable table = stage.work.table;
   global.bind(table);
   Queues queues = startQueues(stage, stage.kernels.importonEmit, table, EyeEmitPush{0, count, count, 0, count, 0, 0});
-  for (uint depth = 0; depth <= maxDepth; ++depth) {
+  RecordRoom room(stage, count);
+  for (uint depth = 0; depth <= maxDepth && room.makeRoom(queues.counter, maxDepth - depth + 1); ++depth) {
     table.set(kBindingQueue, *queues.now);
     overRays(stage, stage.kernels.traceClosest, table, queues.counter, TracePush{queues.counter});
     if (stage.work.hasDifferentials())

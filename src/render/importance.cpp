@@ -10,19 +10,23 @@
 namespace importon {
 namespace {
 
-ImportanceMap makeMap(gpu::Context& context, const char* name, std::uint64_t capacity, bool hasDifferentials) {
+/// An empty map with the cells of one of up to `importons` importons.
+ImportanceMap makeMap(gpu::Context& context, const char* name, std::uint64_t importons, bool hasDifferentials) {
   ImportanceMap map;
-  map.grid = PointGrid(context, name, capacity);
-  map.importance = gpu::Buffer(context, std::string(name) + " importance", capacity * sizeof(float),
-                               gpu::TexelFormat::float1);
-  if (hasDifferentials)
-    map.bound = gpu::Buffer(context, std::string(name) + " bound", capacity * sizeof(float), gpu::TexelFormat::float1);
-  map.hits = gpu::Buffer(context, std::string(name) + " hits", capacity * sizeof(uint), gpu::TexelFormat::uint1);
+  map.grid = PointGrid(context, name, 0, importons);
+  map.importance = gpu::Buffer(context, std::string(name) + " importance", 0, gpu::TexelFormat::float1);
+  if (hasDifferentials) map.bound = gpu::Buffer(context, std::string(name) + " bound", 0, gpu::TexelFormat::float1);
+  map.hits = gpu::Buffer(context, std::string(name) + " hits", 0, gpu::TexelFormat::uint1);
   return map;
 }
 
-uint readCounter(const Stage& stage, uint counter) {
-  return stage.work.counters.download<uint>(1, counter * sizeof(uint)).front();
+void makeRoomForSites(const Stage& stage, ImportanceMap& map) {
+  const std::uint64_t sites = std::max<std::uint64_t>(map.sites(), 1);
+  resize(stage, map.grid.points, sites * sizeof(MapPoint));
+  resize(stage, map.grid.order, sites * sizeof(uint));
+  resize(stage, map.importance, sites * sizeof(float));
+  if (map.bound) resize(stage, map.bound, sites * sizeof(float));
+  resize(stage, map.hits, sites * sizeof(uint));
 }
 
 /// Selects the importons of `kind` and finds the grid levels at which their neighbours are searched.
@@ -46,6 +50,7 @@ void estimateImportance(const Stage& stage, uint levels, uint count, uint neares
   gpu::Buffer weights(stage.gpu, "importon weights", std::max<std::uint64_t>(entries, 1) * sizeof(float),
                       gpu::TexelFormat::float1);
   setCounter(stage, kCounterEntries, static_cast<uint>(entries));
+  reserveEntries(stage, entries);
   gpu::BindingTable table = stage.work.table;
   table.set(kBindingKeysOut, stage.work.keysA);
   overItems(stage, stage.kernels.importonEntries, table, kCounterEntries,
@@ -66,6 +71,7 @@ void estimateImportance(const Stage& stage, uint levels, uint count, uint neares
 void buildMap(const Stage& stage, ImportanceMap& map, MapKind kind, uint nearest) {
   map.levels = selectImportons(stage, kind, map.grid, nearest);
   map.count = readCounter(stage, kCounterSelected);
+  makeRoomForSites(stage, map);
   stage.recorder.fill(map.hits, 0);
   if (map.count == 0) {
     stage.recorder.fill(map.grid.cells, 0);
@@ -75,6 +81,7 @@ void buildMap(const Stage& stage, ImportanceMap& map, MapKind kind, uint nearest
   setCounter(stage, kCounterSites, sites);
   estimateImportance(stage, map.levels, static_cast<uint>(map.count), nearest);
   setCounter(stage, kCounterLevels, 0);
+  reserveEntries(stage, sites);
   gpu::BindingTable table = stage.work.table;
   table.set(kBindingKeysOut, stage.work.keysA);
   overItems(stage, stage.kernels.importonKey, table, kCounterSites, ImportonKeyPush{map.grid.slotMask});

@@ -25,12 +25,11 @@ std::uint64_t wordPair(std::span<const uint> words, std::size_t at) {
 
 }  // namespace
 
-IrradianceMap::IrradianceMap(gpu::Context& context, const SurfaceCells& cells, std::uint64_t batchHits, float units,
-                             int firstPass)
-    : IrradianceMap(context, cells, growCellTree(cells), batchHits, units, firstPass) {}
+IrradianceMap::IrradianceMap(gpu::Context& context, const SurfaceCells& cells, float units, int firstPass)
+    : IrradianceMap(context, cells, growCellTree(cells), units, firstPass) {}
 
-IrradianceMap::IrradianceMap(gpu::Context& context, const SurfaceCells& cells, const CellTree& tree,
-                             std::uint64_t batchHits, float units, int firstPass)
+IrradianceMap::IrradianceMap(gpu::Context& context, const SurfaceCells& cells, const CellTree& tree, float units,
+                             int firstPass)
     : units_(units),
       firstPass_(firstPass),
       levels_(tree.levels),
@@ -41,7 +40,6 @@ IrradianceMap::IrradianceMap(gpu::Context& context, const SurfaceCells& cells, c
                   TexelFormat::uint4),
       irradiance_(context, "irradiance of cells", 2 * sizeof(uvec4) * cells.areas.size(), TexelFormat::uint4),
       surface_(gpu::makeBuffer(context, "surface cells", std::span<const uvec2>(cells.triangles), TexelFormat::uint2)),
-      recordCells_(context, "cells of hits", batchHits * sizeof(uvec2)),
       totals_(gpu::makeBuffer(context, "irradiance totals", std::span<const uint>(std::vector<uint>(6)))) {
   const std::vector<uint> empty(2 * kWordsPerSide * cells.areas.size());
   for (gpu::Buffer& half : halves_)
@@ -50,7 +48,6 @@ IrradianceMap::IrradianceMap(gpu::Context& context, const SurfaceCells& cells, c
 
 void IrradianceMap::bind(gpu::BindingTable& table, int pass) const {
   table.set(kBindingSurfaceCells, surface_);
-  table.set(kBindingRecordCells, recordCells_);
   table.set(kBindingIrradiance, halves_[half(pass)]);
   table.set(kBindingIrradianceTexels, halves_[half(pass)]);
   table.set(kBindingCellIrradiance, irradiance_);
@@ -101,8 +98,8 @@ PhotonMapCounts IrradianceMap::readFlux() const {
 std::uint64_t IrradianceMap::bytes() const {
   std::uint64_t bytes = 0;
   for (const gpu::Buffer* buffer : {&surface_, &halves_[0], &halves_[1], &groups_, &members_, &places_, &groupLight_,
-                                    &irradiance_})
-    bytes += buffer->bytes();
+                                    &irradiance_, &totals_})
+    bytes += buffer->allocatedBytes();
   return bytes;
 }
 

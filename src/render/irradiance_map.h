@@ -13,7 +13,7 @@ class IrradianceMap {
  public:
   /// `units`: of fixed-point flux per W, few enough that all passes together do not overflow.
   /// `firstPass`: before it the map is empty.
-  IrradianceMap(gpu::Context& context, const SurfaceCells& cells, std::uint64_t batchHits, float units, int firstPass);
+  IrradianceMap(gpu::Context& context, const SurfaceCells& cells, float units, int firstPass);
 
   /// Binds the half of `pass`, for photons and for reading. Passes go to the halves in turn.
   void bind(gpu::BindingTable& table, int pass) const;
@@ -31,17 +31,17 @@ class IrradianceMap {
   [[nodiscard]] PhotonMapCounts readFlux() const;
   /// What lasts from pass to pass.
   [[nodiscard]] std::vector<gpu::Buffer*> memory();
+  /// Device memory of all that the map holds.
   [[nodiscard]] std::uint64_t bytes() const;
 
  private:
-  IrradianceMap(gpu::Context& context, const SurfaceCells& cells, const CellTree& tree, std::uint64_t batchHits,
-                float units, int firstPass);
+  IrradianceMap(gpu::Context& context, const SurfaceCells& cells, const CellTree& tree, float units, int firstPass);
   static std::size_t half(int pass) { return static_cast<std::size_t>(pass % 2); }
   float units_;
   int firstPass_, passes_ = 0;
   std::vector<uint> levels_;                                         // of groups, as in CellTree
   gpu::Buffer groups_, members_, places_, groupLight_, irradiance_;  // irradiance: what is read
-  gpu::Buffer surface_, recordCells_, totals_;
+  gpu::Buffer surface_, totals_;
   std::array<gpu::Buffer, 2> halves_;
 };
 

@@ -94,7 +94,7 @@ Entries listMap(const RenderJob& job) {
           {&KernelSet::cellClaim, "claim cell", "cell_claim", {}},
           {&KernelSet::cellSettle, "settle cell", "cell_settle", {}},
           {&KernelSet::cellAdd, "add to cell", "cell_add", {}},
-          {&KernelSet::cellClear, "clear cells", "cell_clear", {}},
+          {&KernelSet::cellMove, "move cells", "cell_move", {}},
           {&KernelSet::photonKey, "photon key", "photon_key", {}},
           {&KernelSet::photonStore, "store photons", "photon_store", {}},
           {&KernelSet::photonResolve, "resolve map", "photon_resolve", {}},

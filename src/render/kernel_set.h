@@ -21,7 +21,7 @@ struct KernelSet {
   gpu::Kernel recordSelect, hitCount, hitKey, photonQuota, photonStore, photonThin, pilotCount, photonKey,
       photonEntries, photonEntryPoints,
       photonRedistribute, photonResolve, fluxSum;
-  gpu::Kernel cellFind, cellClaim, cellSettle, cellAdd, cellClear;
+  gpu::Kernel cellFind, cellClaim, cellSettle, cellAdd, cellMove;
 };
 
 /// Those that `features` and the job's integrator may call for; each is compiled when it is first used.

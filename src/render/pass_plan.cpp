@@ -106,6 +106,7 @@ PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2
     plan.workspace.entries = plan.workspace.slots;
     return plan;
   }
+  plan.workspace.hasCells = features.readsCells;
   plan.workspace.hasDifferentials = job.importance == ImportanceChoice::differentials;
   const auto hurried = [share = shareInHaste(job)](std::uint64_t wanted) {
     return static_cast<std::uint32_t>(share * static_cast<double>(wanted));

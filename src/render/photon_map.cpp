@@ -10,17 +10,27 @@ namespace importon {
 
 using gpu::TexelFormat;
 
-PhotonMap::PhotonMap(gpu::Context& context, MapKind kind, std::uint64_t capacity, std::uint64_t batchHits)
+namespace {
+
+constexpr std::uint64_t kFluxBytes = 6 * sizeof(uint);  // of a photon: shaders/bindings/photons.glsl
+
+/// A grid that has room for `points`, made anew if it has not.
+void makeRoomIn(const Stage& stage, PointGrid& grid, const char* name, std::uint64_t points, std::uint64_t most) {
+  if (grid.points && points <= grid.room()) return;
+  stage.recorder.submitAndWait();  // what was recorded uses the old one
+  grid = {};
+  grid = PointGrid(stage.gpu, name, roomFor(points, most));
+}
+
+}  // namespace
+
+PhotonMap::PhotonMap(gpu::Context& context, MapKind kind, std::uint64_t capacity)
     : kind_(kind),
       capacity_(capacity),
-      points_(context, "photon points", capacity * sizeof(MapPoint), TexelFormat::uint4),
-      flux_(context, "photon flux", capacity * 6 * sizeof(uint)),
-      mapFlux_(context, "map flux", capacity * sizeof(uvec2), TexelFormat::uint2),
-      totals_(context, "flux totals", 18 * sizeof(uint)),
-      cells_(context, "photon cells", (capacity + capacity / 4 + 1) * sizeof(PhotonCell)),
-      slots_(context, "photon slots", capacity * sizeof(uint)),
-      stored_(context, "stored photons", capacity),
-      batch_(context, "batch", batchHits) {}
+      points_(context, "photon points", 0, TexelFormat::uint4),
+      flux_(context, "photon flux", kFluxBytes),
+      mapFlux_(context, "map flux", 0, TexelFormat::uint2),
+      totals_(context, "flux totals", 18 * sizeof(uint)) {}
 
 uint PhotonMap::counter(uint which) const {
   return kCounterMap + kCountersPerMap * static_cast<uint>(kind_) + which;
@@ -29,12 +39,46 @@ uint PhotonMap::counter(uint which) const {
 void PhotonMap::begin(const Stage& stage) {
   for (const uint which : {kMapStored, kMapOverflow, kMapHits, kMapHits + 1}) setCounter(stage, counter(which), 0);
   stage.recorder.fill(totals_, 0);
-  stage.recorder.fill(stored_.cells, 0);
+  if (cells_) stage.recorder.fill(cells_, kNone);
   hasStored_ = false;
+  photons_ = 0;
 }
 
-void PhotonMap::store(const Stage& stage, gpu::BindingTable& table, bool isWeighted) const {
+void PhotonMap::makeRoom(const Stage& stage, std::uint64_t photons) {
+  if (photons <= points_.bytes() / sizeof(MapPoint)) return;
+  const std::uint64_t room = roomFor(photons, capacity_);
+  resize(stage, points_, room * sizeof(MapPoint), photons_ * sizeof(MapPoint));
+  resize(stage, flux_, room * kFluxBytes, photons_ * kFluxBytes);
+}
+
+void PhotonMap::makeRoomForCells(const Stage& stage, std::uint64_t cells) {
+  const auto slotsFor = [](std::uint64_t taken) { return taken + taken / 4 + 1; };  // lib/photon_cell.glsl's load of 0.8
+  const std::uint64_t most = slotsFor(capacity_), slots = cells_.bytes() / sizeof(PhotonCell);
+  if (slots >= std::min(slotsFor(cells), most)) return;
+  const gpu::Buffer old = std::move(cells_);
+  cells_ = gpu::Buffer(stage.gpu, "photon cells", roomFor(slotsFor(cells), most) * sizeof(PhotonCell));
+  stage.recorder.fill(cells_, kNone);
+  if (photons_ == 0) return;
+  gpu::BindingTable table = stage.work.table;
+  table.set(kBindingPhotonCells, cells_);
+  table.set(kBindingOldPhotonCells, old);
+  stage.recorder.dispatch(stage.kernels.cellMove, table, slots);
+  stage.recorder.submitAndWait();  // before the old ones go
+}
+
+void PhotonMap::makeRoomForBatch(const Stage& stage) {
+  stage.recorder.submitAndWait();
+  const uint hits = readCounter(stage, kCounterSelected);
+  makeRoomIn(stage, batch_, "batch", hits, stage.work.size.records);
+  reserveEntries(stage, hits);
+}
+
+void PhotonMap::store(const Stage& stage, gpu::BindingTable& table, bool isWeighted) {
   compact(stage, kCounterSelected, kCounterAccepted, nullptr, stage.work.accepted);
+  stage.recorder.submitAndWait();
+  const std::uint64_t stored = std::min(photons_ + readCounter(stage, kCounterAccepted), capacity_);
+  makeRoom(stage, stored);
+  photons_ = stored;
   table.set(kBindingNextQueue, stage.work.accepted);
   overItems(stage, stage.kernels.photonStore, table, kCounterAccepted,
             PhotonStorePush{static_cast<uint>(capacity_), isWeighted});
@@ -64,6 +108,7 @@ void PhotonMap::addBatch(const Stage& stage, const ImportanceMap& importance, co
   } else if (isControlled && rule.receivers == 0) {
     controlByCells(stage, table);
   } else {
+    if (isControlled) makeRoomForBatch(stage);  // else nothing is searched in it
     overItems(stage, stage.kernels.hitKey, table, kCounterSelected,
               HitKeyPush{kind_ == MapKind::global, batch_.slotMask, isControlled});
     if (isControlled) {
@@ -80,17 +125,14 @@ void PhotonMap::addBatch(const Stage& stage, const ImportanceMap& importance, co
 }
 
 void PhotonMap::controlByCells(const Stage& stage, gpu::BindingTable& table) {
-  if (!hasCells_) {
-    stage.recorder.fill(cells_, kNone);
-    hasCells_ = true;
-  }
+  stage.recorder.submitAndWait();
+  makeRoomForCells(stage, photons_ + readCounter(stage, kCounterSelected));
   const KernelSet& kernels = stage.kernels;
   table.set(kBindingPhotonCells, cells_);
-  table.set(kBindingPhotonSlots, slots_);
   overItems(stage, kernels.cellFind, table, kCounterSelected, CellFindPush{kind_ == MapKind::global});
   overItems(stage, kernels.cellClaim, table, kCounterSelected);
   store(stage, table);
-  overItems(stage, kernels.cellSettle, table, kCounterAccepted);
+  overItems(stage, kernels.cellSettle, table, kCounterAccepted, CellSettlePush{static_cast<uint>(capacity_)});
   overItems(stage, kernels.cellAdd, table, kCounterSelected);
   countStored(stage);
 }
@@ -125,6 +167,8 @@ void PhotonMap::controlByQuota(const Stage& stage, gpu::BindingTable& table, con
 }
 
 void PhotonMap::buildStoredGrid(const Stage& stage, const ImportanceMap& importance, bool isFinished) {
+  makeRoomIn(stage, stored_, "stored photons", photons_, capacity_);
+  reserveEntries(stage, photons_);
   gpu::BindingTable table = stage.work.table;
   importance.bind(table);
   table.set(kBindingPhotonPoints, points_);
@@ -139,6 +183,7 @@ void PhotonMap::buildStoredGrid(const Stage& stage, const ImportanceMap& importa
 void PhotonMap::finish(const Stage& stage, const ImportanceMap& importance, uint nearest) {
   setCounter(stage, kCounterStored, 0, counter(kMapStored));
   buildStoredGrid(stage, importance, true);
+  if (mapFlux_.bytes() < stored_.room() * sizeof(uvec2)) resize(stage, mapFlux_, stored_.room() * sizeof(uvec2));
   setCounter(stage, counter(kMapLevels), 0, kCounterStoredLevels);
   gpu::BindingTable table = stage.work.table;
   table.set(kBindingPhotonPoints, points_);
@@ -149,10 +194,6 @@ void PhotonMap::finish(const Stage& stage, const ImportanceMap& importance, uint
   overTiles(stage, stage.kernels.fluxSum, table, kCounterStored, FluxSumPush{kSumMap, kCounterStored});
   overItems(stage, stage.kernels.photonResolve, table, kCounterStored);
   if (nearest > 0) buildNearestGrid(stage, nearest);
-  if (!hasCells_) return;
-  table.set(kBindingPhotonCells, cells_);
-  table.set(kBindingPhotonSlots, slots_);
-  overItems(stage, stage.kernels.cellClear, table, kCounterStored);
 }
 
 namespace {
@@ -180,6 +221,7 @@ void PhotonMap::buildNearestGrid(const Stage& stage, uint nearest) {
   nearest_->grid = PointGrid(stage.gpu, "nearest photons", entries);
   nearest_->flux = gpu::Buffer(stage.gpu, "flux of nearest photons", entries * sizeof(uvec2), TexelFormat::uint2);
   setCounter(stage, kCounterEntries, entries);
+  reserveEntries(stage, entries);
   gpu::BindingTable table = stage.work.table;
   table.set(kBindingPhotonPoints, points_);
   table.set(kBindingPhotonFlux, flux_);
@@ -194,8 +236,11 @@ void PhotonMap::buildNearestGrid(const Stage& stage, uint nearest) {
 }
 
 void PhotonMap::estimateIrradiance(const Stage& stage, const ImportanceMap& importance, bool atPhotons) {
-  const std::uint64_t points = atPhotons ? capacity_ : std::max<std::uint64_t>(importance.sites(), 1);
-  if (!hasIrradiance()) irradiance_ = gpu::Buffer(stage.gpu, "irradiance", points * sizeof(uvec2), TexelFormat::uint2);
+  const std::uint64_t points = atPhotons ? stored_.room() : std::max<std::uint64_t>(importance.sites(), 1);
+  if (irradiance_.bytes() < points * sizeof(uvec2)) {
+    stage.recorder.submitAndWait();  // what was recorded uses the old one
+    irradiance_ = gpu::Buffer(stage.gpu, "irradiance", points * sizeof(uvec2), TexelFormat::uint2);
+  }
   isIrradianceAtPhotons_ = atPhotons;
   gpu::BindingTable table = stage.work.table;
   importance.bind(table);
@@ -254,8 +299,11 @@ std::vector<MapPoint> PhotonMap::readPoints(const Stage& stage) const {
 }
 
 std::uint64_t PhotonMap::bytes() const {
-  return points_.bytes() + flux_.bytes() + mapFlux_.bytes() + stored_.cells.bytes() + stored_.points.bytes() +
-         stored_.order.bytes();
+  std::uint64_t bytes = stored_.bytes() + batch_.bytes();
+  for (const gpu::Buffer* buffer : {&points_, &flux_, &mapFlux_, &totals_, &cells_, &irradiance_})
+    bytes += buffer->allocatedBytes();
+  if (nearest_) bytes += nearest_->grid.bytes() + nearest_->flux.allocatedBytes();
+  return bytes;
 }
 
 }  // namespace importon

@@ -21,15 +21,15 @@ struct PhotonMapCounts {
 
 class PhotonMap {
  public:
-  /// For up to `capacity` stored photons, from batches of up to `batchHits` hits.
-  PhotonMap(gpu::Context& context, MapKind kind, std::uint64_t capacity, std::uint64_t batchHits);
+  /// For up to `capacity` stored photons. Room for them is made as they come.
+  PhotonMap(gpu::Context& context, MapKind kind, std::uint64_t capacity);
 
   /// Empties the map for a new pass.
   void begin(const Stage& stage);
-  /// Takes the batch of hits in the workspace's records.
+  /// Takes the batch of hits in the workspace's records. Waits for the device.
   void addBatch(const Stage& stage, const ImportanceMap& importance, const StorageRule& rule);
-  /// Sorts the photons for lookups by radius; with `nearest` above 0, also for lookups of the so many nearest photons,
-  /// which waits for the device.
+  /// Sorts the photons for lookups by radius; with `nearest` above 0, also for lookups of the so many nearest photons.
+  /// Waits for the device where it makes room.
   void finish(const Stage& stage, const ImportanceMap& importance, uint nearest = 0);
   /// True if the finished map is read by the nearest photons.
   [[nodiscard]] bool isReadByNearest() const { return nearest_.has_value(); }
@@ -52,10 +52,15 @@ class PhotonMap {
   [[nodiscard]] PhotonMapCounts readCounts(const Stage& stage, float fluxScale) const;
   /// The photons of a finished map, render space, after the device is done with it.
   [[nodiscard]] std::vector<MapPoint> readPoints(const Stage& stage) const;
+  /// Device memory of all that the map holds: photons, their flux and grid, the table of cells, the grids of batches and
+  /// of lookups of the nearest, and irradiance.
   [[nodiscard]] std::uint64_t bytes() const;
 
  private:
-  void store(const Stage& stage, gpu::BindingTable& table, bool isWeighted = false) const;
+  void store(const Stage& stage, gpu::BindingTable& table, bool isWeighted = false);
+  void makeRoom(const Stage& stage, std::uint64_t photons);
+  void makeRoomForCells(const Stage& stage, std::uint64_t cells);
+  void makeRoomForBatch(const Stage& stage);
   void countStored(const Stage& stage) const;
   void controlByCells(const Stage& stage, gpu::BindingTable& table);
   void controlByProbability(const Stage& stage, gpu::BindingTable& table, const StorageRule& rule);
@@ -73,11 +78,12 @@ class PhotonMap {
 
   MapKind kind_;
   std::uint64_t capacity_;
+  std::uint64_t photons_ = 0;  // stored so far
   std::optional<NearestGrid> nearest_;
   gpu::Buffer irradiance_;
   bool isIrradianceAtPhotons_ = false;
-  bool hasStored_ = false, hasCells_ = false, isThinned_ = false;
-  gpu::Buffer points_, flux_, mapFlux_, totals_, cells_, slots_;
+  bool hasStored_ = false, isThinned_ = false;
+  gpu::Buffer points_, flux_, mapFlux_, totals_, cells_;
   PointGrid stored_, batch_;
 };
 

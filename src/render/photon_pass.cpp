@@ -11,13 +11,14 @@ namespace {
 
 /// Traces what stands in queue A and scatters it, by the guide if there is one.
 void tracePaths(const Stage& stage, gpu::BindingTable& table, MapKind kind, const ScatterGuide* guide, uint stream,
-                uint maxDepth) {
+                std::uint32_t count, uint maxDepth) {
   const KernelSet& kernels = stage.kernels;
   const gpu::Kernel& plain = kind == MapKind::global ? kernels.photonScatter : kernels.causticScatter;
   if (guide != nullptr) guide->bind(table);
   const gpu::Buffer *now = &stage.work.queueA, *next = &stage.work.queueB;
   uint counter = kCounterQueueA, nextCounter = kCounterQueueB;
-  for (uint depth = 0; depth <= maxDepth; ++depth) {
+  RecordRoom room(stage, count);
+  for (uint depth = 0; depth <= maxDepth && room.makeRoom(counter, maxDepth - depth + 1); ++depth) {
     table.set(kBindingQueue, *now);
     overRays(stage, kernels.traceClosest, table, counter, TracePush{counter});
     overItems(stage, guide != nullptr ? kernels.photonScatterGuided : plain, table, counter,
@@ -44,7 +45,7 @@ void tracePhotons(const Stage& stage, const PhotonSource& source, std::uint32_t 
   setCounter(stage, kCounterQueueA, count);
   stage.recorder.dispatch(isGuided ? kernels.photonEmitGuided : kernels.photonEmit, table, count,
                           PhotonEmitPush{first, count, stream, isGuided ? source.guide->bins() : 0, isGlobal});
-  tracePaths(stage, table, source.kind, source.scatter, stream, maxDepth);
+  tracePaths(stage, table, source.kind, source.scatter, stream, count, maxDepth);
 }
 
 void teachScatter(const Stage& stage, const ImportanceMap& importance, ScatterGuide& guide, const ScatterLesson& lesson) {
@@ -57,7 +58,7 @@ void teachScatter(const Stage& stage, const ImportanceMap& importance, ScatterGu
   const auto sites = static_cast<uint>(importance.sites());
   stage.recorder.dispatch(stage.kernels.siteEmit, table, lesson.count,
                           SiteEmitPush{lesson.first, lesson.count, sites, lesson.meanImportance, lesson.hitsPerPass, guide.isPotential()});
-  tracePaths(stage, table, MapKind::global, nullptr, kStreamSites, lesson.maxDepth);
+  tracePaths(stage, table, MapKind::global, nullptr, kStreamSites, lesson.count, lesson.maxDepth);
   selectRecords(stage, recordMask(MapKind::global));
   guide.learn(stage);
 }

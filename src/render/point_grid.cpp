@@ -17,11 +17,11 @@ std::uint64_t slotCount(std::uint64_t capacity) {
 
 }  // namespace
 
-PointGrid::PointGrid(gpu::Context& context, const char* name, std::uint64_t capacity)
-    : cells(context, std::string(name) + " cells", slotCount(capacity) * sizeof(uvec2), gpu::TexelFormat::uint2),
+PointGrid::PointGrid(gpu::Context& context, const char* name, std::uint64_t capacity, std::uint64_t cellsFor)
+    : cells(context, std::string(name) + " cells", slotCount(cellsFor) * sizeof(uvec2), gpu::TexelFormat::uint2),
       points(context, std::string(name) + " points", capacity * sizeof(MapPoint), gpu::TexelFormat::uint4),
       order(context, std::string(name) + " order", capacity * sizeof(uint), gpu::TexelFormat::uint1),
-      slotMask(static_cast<uint>(slotCount(capacity) - 1)) {}
+      slotMask(static_cast<uint>(slotCount(cellsFor) - 1)) {}
 
 uint PointGrid::slotBits() const { return static_cast<uint>(std::popcount(slotMask)); }
 

@@ -12,9 +12,17 @@ struct PointGrid {
 
   PointGrid() = default;
   /// For up to `capacity` points.
-  PointGrid(gpu::Context& context, const char* name, std::uint64_t capacity);
+  PointGrid(gpu::Context& context, const char* name, std::uint64_t capacity) : PointGrid(context, name, capacity, capacity) {}
+  /// The same with the cells of a grid of `cellsFor` points.
+  PointGrid(gpu::Context& context, const char* name, std::uint64_t capacity, std::uint64_t cellsFor);
   /// Bits of a slot number.
   [[nodiscard]] uint slotBits() const;
+  /// How many points it has room for.
+  [[nodiscard]] std::uint64_t room() const { return points.bytes() / sizeof(MapPoint); }
+  /// Device memory.
+  [[nodiscard]] std::uint64_t bytes() const {
+    return cells.allocatedBytes() + points.allocatedBytes() + order.allocatedBytes();
+  }
 };
 
 /// Sorts the points that `source` counts into cells, by the keys in work.keysA; `points` has them unsorted.

@@ -70,10 +70,9 @@ RenderSession::RenderSession(const RenderJob& job, const Scene& scene, Log& log,
   importance_ = makeImportanceMaps(device_->context, plan_.importons * (std::uint64_t{parameters_.maxDepth} + 1),
                                    plan_.workspace.hasDifferentials);
   if (hasMaps()) {
-    if (!features_.readsCells)
-      globalMap_.emplace(device_->context, MapKind::global, plan_.mapCapacity, plan_.workspace.records);
+    if (!features_.readsCells) globalMap_.emplace(device_->context, MapKind::global, plan_.mapCapacity);
     if (features_.needsCausticMap)
-      causticMap_.emplace(device_->context, MapKind::caustic, plan_.causticCapacity, plan_.workspace.records);
+      causticMap_.emplace(device_->context, MapKind::caustic, plan_.causticCapacity);
   }
   stats_.seconds.device += secondsSince(start);
 }
@@ -344,6 +343,8 @@ void RenderSession::finishStats(int passes) {
   for (const std::string& message : device_->context.takeValidationMessages()) log_.warn("validation", message);
   for (const std::optional<PhotonMap>* map : {&globalMap_, &causticMap_})
     if (*map) stats_.photonMapBytes += (*map)->bytes();
+  for (const std::optional<ExpectedDensity>* expected : {&globalExpected_, &causticExpected_})
+    if (*expected) stats_.photonMapBytes += (*expected)->bytes();
   if (irradiance_) {
     stats_.photonMapBytes += irradiance_->bytes();
     if (!globalMap_) addCounts(stats_.global, irradiance_->readFlux(), "global");

@@ -61,7 +61,7 @@ void RenderSession::cutCells(int generation) {
   parameters_.irradianceUnits = parameters_.fluxScale / std::ldexp(1.0f, 3 * (generation + 1));
   irradiance_.reset();  // its memory is needed
   parameters_.photonUnits = photonUnits(parameters_, plan_.whole.photons);
-  irradiance_.emplace(device_->context, cutSurfaces(scene_, density, plan_.mostCells, job_.threads), plan_.workspace.records,
+  irradiance_.emplace(device_->context, cutSurfaces(scene_, density, plan_.mostCells, job_.threads),
                       parameters_.irradianceUnits, firstPassOf(generation));
 }
 

@@ -57,7 +57,10 @@ struct RenderStats {
   std::uint64_t photonsEmitted = 0;
   std::uint64_t photonsPilot = 0;  // in no map: they teach, or their hits are only counted
   PhotonMapStats caustic, global;
-  std::uint64_t devicePeakBytes = 0, photonMapBytes = 0, hostPeakBytes = 0;
+  std::uint64_t devicePeakBytes = 0, hostPeakBytes = 0;
+  /// Device memory that the photon maps hold at the end: photons, their flux and grids, tables of cells, precomputed
+  /// irradiance, expected density, surface cells. Not the lists that all phases share.
+  std::uint64_t photonMapBytes = 0;
   ErrorStats error;
 };
 

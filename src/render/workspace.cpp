@@ -11,6 +11,37 @@ namespace importon {
 using gpu::Buffer;
 using gpu::TexelFormat;
 
+namespace {
+
+/// Of lists of `compacted` and of `sorted` entries: a sum for each tile, or one for each of its digits.
+std::uint64_t blockSumsOf(std::uint64_t compacted, std::uint64_t sorted) {
+  const auto tiles = [](std::uint64_t entries) { return (entries + kTileSize - 1) / kTileSize; };
+  return std::max(tiles(compacted), tiles(sorted) * kRadix);
+}
+
+/// Makes room for `room` records and keeps the first `kept` ones.
+void resizeRecords(const Stage& stage, std::uint64_t room, std::uint64_t kept) {
+  Workspace& work = stage.work;
+  const auto grow = [&](gpu::Buffer& buffer, std::uint64_t bytes, bool isKept) {
+    resize(stage, buffer, room * bytes, isKept ? kept * bytes : 0);
+  };
+  for (gpu::Buffer* list : {&work.required, &work.selection, &work.neighbours, &work.accepted})
+    grow(*list, sizeof(uint), false);
+  grow(work.selectedPoints, sizeof(MapPoint), false);
+  grow(work.recordPoints, sizeof(MapPoint), true);
+  grow(work.records, sizeof(Record), true);
+  if (work.size.hasCells) grow(work.recordCells, sizeof(uvec2), true);
+  if (work.hasDifferentials()) {
+    grow(work.footprints, sizeof(float), true);
+    grow(work.bounds, sizeof(float), false);
+  }
+  if (work.keep.bytes() < room * sizeof(uint)) grow(work.keep, sizeof(uint), false);
+  const std::uint64_t sums = blockSumsOf(room, work.entryRoom()) * sizeof(uint);
+  if (work.blockSums.bytes() < sums) resize(stage, work.blockSums, sums);
+}
+
+}  // namespace
+
 Workspace::Workspace(gpu::Context& c, const WorkspaceSize& s)
     : parameters(c, "parameters", sizeof(Parameters)),
       counters(c, "counters", kCounterCount * sizeof(uint)),
@@ -25,22 +56,23 @@ Workspace::Workspace(gpu::Context& c, const WorkspaceSize& s)
       pathLight(c, "path light", s.slots * sizeof(PathLight)),
       queueA(c, "queue A", s.slots * sizeof(uint)),
       queueB(c, "queue B", s.slots * sizeof(uint)),
-      keep(c, "keep", std::max(s.entries, s.slots) * sizeof(uint)),
-      blockSums(c, "block sums", (std::max(s.entries, s.slots) + kTileSize) * sizeof(uint)),
-      keysA(c, "keys A", s.entries * sizeof(uint)),
-      keysB(c, "keys B", s.entries * sizeof(uint)),
-      valuesA(c, "values A", s.entries * sizeof(uint)),
-      valuesB(c, "values B", s.entries * sizeof(uint)),
-      recordPoints(c, "record points", s.records * sizeof(MapPoint), TexelFormat::uint4),
-      records(c, "records", s.records * sizeof(Record)),
-      required(c, "required density", s.records * sizeof(float)),
-      selection(c, "selection", s.records * sizeof(uint)),
-      selectedPoints(c, "selected points", s.records * sizeof(MapPoint), TexelFormat::uint4),
-      neighbours(c, "neighbours", s.records * sizeof(uint)),
-      accepted(c, "accepted", s.records * sizeof(uint)),
+      keep(c, "keep", s.slots * sizeof(uint)),
+      blockSums(c, "block sums", blockSumsOf(s.slots, 0) * sizeof(uint)),
+      keysA(c, "keys A", 0),
+      keysB(c, "keys B", 0),
+      valuesA(c, "values A", 0),
+      valuesB(c, "values B", 0),
+      recordPoints(c, "record points", 0, TexelFormat::uint4),
+      records(c, "records", 0),
+      required(c, "required density", 0),
+      selection(c, "selection", 0),
+      selectedPoints(c, "selected points", 0, TexelFormat::uint4),
+      neighbours(c, "neighbours", 0),
+      accepted(c, "accepted", 0),
+      recordCells(c, "cells of hits", 0),
       pathDifferentials(c, "path differentials", (s.hasDifferentials ? s.slots : 1) * sizeof(PathDifferential)),
-      footprints(c, "footprints", (s.hasDifferentials ? s.records : 1) * sizeof(float)),
-      bounds(c, "importance bounds", (s.hasDifferentials ? s.records : 1) * sizeof(float)),
+      footprints(c, "footprints", 0),
+      bounds(c, "importance bounds", 0),
       lightsSeen(c, "lights seen", s.lightVoxels * sizeof(uvec2), TexelFormat::uint2),
       noCells(c, "no cells", 2 * sizeof(uvec4), TexelFormat::uint4),
       noCellsOfTriangles(c, "no cells of triangles", sizeof(uvec2), TexelFormat::uint2),
@@ -53,7 +85,8 @@ Workspace::Workspace(gpu::Context& c, const WorkspaceSize& s)
   table.set(kBindingLightsSeenOut, lightsSeen);
   table.set(kBindingSurfaceCells, noCellsOfTriangles);
   table.set(kBindingCellPlaces, noCellsOfTriangles);
-  for (const uint binding : {kBindingRecordCells, kBindingIrradiance, kBindingIrradianceTexels, kBindingCellIrradiance})
+  table.set(kBindingRecordCells, recordCells);
+  for (const uint binding : {kBindingIrradiance, kBindingIrradianceTexels, kBindingCellIrradiance})
     table.set(binding, noCells);
   table.set(kBindingLookups, lookups);
   table.set(kBindingSamplePlan, noSamplePlan);
@@ -83,6 +116,45 @@ Workspace::Workspace(gpu::Context& c, const WorkspaceSize& s)
   table.set(kBindingSelection, selection);
   table.set(kBindingSelectedPoints, selectedPoints);
   table.set(kBindingNeighbours, neighbours);
+}
+
+void resize(const Stage& stage, Buffer& buffer, std::uint64_t bytes, std::uint64_t kept) {
+  stage.recorder.submitAndWait();  // what was recorded uses the old one
+  const std::string name = buffer.name();
+  const TexelFormat texels = buffer.texels();
+  if (kept == 0) buffer = {};  // its memory is free before more is asked for
+  Buffer resized(stage.gpu, name, bytes, texels);
+  if (kept > 0) {
+    stage.recorder.copy(buffer, 0, resized, 0, kept);
+    stage.recorder.submitAndWait();
+  }
+  buffer = std::move(resized);
+}
+
+std::uint64_t roomFor(std::uint64_t needed, std::uint64_t most) { return std::min(needed + needed / 4, most); }
+
+void reserveEntries(const Stage& stage, std::uint64_t entries) {
+  Workspace& work = stage.work;
+  if (entries <= work.entryRoom()) return;
+  const std::uint64_t room = std::max(roomFor(entries, work.size.entries), entries);
+  for (Buffer* list : {&work.keysA, &work.keysB, &work.valuesA, &work.valuesB}) resize(stage, *list, room * sizeof(uint));
+  resize(stage, work.blockSums, blockSumsOf(work.keep.bytes() / sizeof(uint), room) * sizeof(uint));
+}
+
+bool RecordRoom::makeRoom(uint queue, std::uint64_t events) {
+  if (isEnough_) return true;
+  Workspace& work = stage_.work;
+  if (!isFirst_) {
+    stage_.recorder.submitAndWait();
+    const auto counters = work.counters.download<uint>(kCounterCount);
+    records_ = counters[kCounterRecords];
+    paths_ = counters[queue];
+  }
+  isFirst_ = false;
+  if (records_ + paths_ > work.recordRoom())
+    resizeRecords(stage_, std::max(roomFor(records_ + paths_, work.size.records), records_ + paths_), records_);
+  isEnough_ = records_ + paths_ * events <= work.recordRoom();
+  return paths_ > 0;
 }
 
 void setCounter(const Stage& stage, uint counter, uint value, uint a, uint b, uint limit) {

@@ -20,10 +20,12 @@ void ListTest::SetUp() {
   kernels_.sortScatter = make("sort_scatter");
   kernels_.gridCells = make("grid_cells");
   kernels_.gridPoints = make("grid_points");
-  work_.emplace(context(), WorkspaceSize{64, kMaxEntries, kMaxEntries});
+  work_.emplace(context(), WorkspaceSize{64, 0, kMaxEntries});
   recorder_.emplace(context());
   stage_.emplace(Stage{context(), *recorder_, kernels_, *work_});
   recorder_->fill(work_->counters, 0);
+  resize(*stage_, work_->keep, kMaxEntries * sizeof(uint));
+  reserveEntries(*stage_, kMaxEntries);
 }
 
 void ListTest::TearDown() {

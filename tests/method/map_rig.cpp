@@ -92,8 +92,13 @@ ExpectedDensity MapRig::countPilot(MapKind kind) {
 }
 
 PhotonMap MapRig::shoot(MapKind kind, const StorageRule& rule, std::uint64_t capacity) {
+  PhotonMap map(context_, kind, capacity != 0 ? capacity : plan.capacityFor(kind));
+  shootInto(map, kind, rule);
+  return map;
+}
+
+void MapRig::shootInto(PhotonMap& map, MapKind kind, const StorageRule& rule) {
   const ImportanceMap& required = kind == MapKind::caustic ? importance.caustic : importance.global;
-  PhotonMap map(context_, kind, capacity != 0 ? capacity : plan.capacityFor(kind), plan.workspace.records);
   work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
   recorder_->fill(work_->counters, 0);
   map.begin(*stage_);
@@ -103,13 +108,17 @@ PhotonMap MapRig::shoot(MapKind kind, const StorageRule& rule, std::uint64_t cap
   }
   map.finish(*stage_, required, plan.nearestPhotons);
   recorder_->submitAndWait();
-  return map;
+}
+
+void MapRig::estimateIrradiance(PhotonMap& map, MapKind kind, bool atPhotons) {
+  map.estimateIrradiance(*stage_, kind == MapKind::caustic ? importance.caustic : importance.global, atPhotons);
+  recorder_->submitAndWait();
 }
 
 CellFlux MapRig::shootIntoCells(const SurfaceCells& cells) {
   parameters.irradianceUnits = parameters.fluxScale;
   parameters.photonUnits = 1 / (parameters.totalPower * parameters.irradianceUnits);
-  IrradianceMap map(context_, cells, plan.workspace.records, parameters.irradianceUnits, 0);
+  IrradianceMap map(context_, cells, parameters.irradianceUnits, 0);
   map.bind(work_->table, 0);
   work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
   recorder_->fill(work_->counters, 0);

@@ -56,6 +56,10 @@ class MapRig {
   }
   /// Shoots the plan's photons into surface cells: of both sides of each, three channels of flux in whole units.
   [[nodiscard]] CellFlux shootIntoCells(const SurfaceCells& cells);
+  /// Shoots them into a map that may have been used before.
+  void shootInto(PhotonMap& map, MapKind kind, const StorageRule& rule);
+  /// Precomputes irradiance of a finished map, at its photons or at the importons.
+  void estimateIrradiance(PhotonMap& map, MapKind kind, bool atPhotons);
   /// For kernels of tests: what the renderer's kernels are bound to, and made for.
   [[nodiscard]] const gpu::BindingTable& bindings() const { return work_->table; }
   [[nodiscard]] const FeatureSet& features() const { return features_; }
