@@ -73,7 +73,7 @@ TEST_F(Focus, WeakLightIsSeenWhereTheStrongOneIsHidden) {
   builder.camera({2, 2, 2}, {2, 0, 0}, 0.01, kSize, kSize);
   for (const Integrator integrator : {Integrator::path, Integrator::photon}) {
     RenderJob job = makeJob(integrator, 1);
-    job.gather = 16;
+    job.gather = 1024;
     const Moments values = momentsOf(valuesOf(renderScene(job, builder.finish()).image));
     EXPECT_TRUE(isWithin(0.02, values, 1 / glm::pi<double>()));
   }

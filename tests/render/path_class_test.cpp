@@ -164,7 +164,7 @@ TEST_P(PathClasses, MapAndPathTracerAgree) {
 INSTANTIATE_TEST_SUITE_P(
     Of, PathClasses,
     ::testing::Values(PathClass{"LD", buildLD, 64, 16, 12}, PathClass{"LDD", buildLDD, 2048, 512, 14, true},
-                      PathClass{"LSD", buildLSD, 256, 16, 17}, PathClass{"LSDD", buildLSDD, 1536, 256, 17, true, 20000},
+                      PathClass{"LSD", buildLSD, 256, 16, 17}, PathClass{"LSDD", buildLSDD, 1024, 128, 17, true, 20000},
                       PathClass{"LDSD", buildLDSD, 3072, 768, 15, true},
                       PathClass{"LDDSD", buildLDDSD, 3072, 512, 17, true, 20000},
                       PathClass{"LDSE", buildLDSE, 512, 128, 13}, PathClass{"GlassBall", buildGlassBall, 1024, 128, 16, true},

@@ -67,7 +67,7 @@ Scene rooms() {
 
 RenderJob scatterJob(ScatterChoice scatter) {
   RenderJob job = makeJob(Integrator::photon, 2);
-  job.photons = 1u << 14;
+  job.photons = 1u << 16;
   job.importons = 1u << 12;
   job.gather = 32;
   job.emission = EmissionChoice::power;
@@ -85,7 +85,7 @@ TEST_F(Scatter, KeepsTheMeanOfScatteringByTheMaterial) {
     job.control = DensityControl::off;
     job.gatherFrom = GatherSource::photons;
     job.aovs = {"density.global"};
-    for (job.seed = 1; job.seed <= 10; ++job.seed) {
+    for (job.seed = 1; job.seed <= 8; ++job.seed) {
       const Rendered rendered = renderScene(job, scene);
       flux[way].add(rendered.stats.global.fluxHits[1]);
       image[way].add(meanOf(rendered.image, "G"));
