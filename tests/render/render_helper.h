@@ -8,6 +8,7 @@
 
 #include "base/log.h"
 #include "render/renderer.h"
+#include "support/claims.h"
 #include "support/scene_builder.h"
 #include "support/stability.h"
 #include "support/statistics.h"

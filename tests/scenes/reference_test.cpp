@@ -9,7 +9,8 @@ namespace {
 
 class References : public RenderTest {};
 
-/// Student's test of the differences from the reference in 4 x 4 parts of the image and three channels.
+/// Student's test of the differences from the reference in 4 x 4 parts of the image and three channels, and that the
+/// means of the channels are those of the reference.
 TEST_F(References, OfCornellBoxIsWhatThePathTracerConvergesTo) {
   const std::filesystem::path folder = std::filesystem::path(IMPORTON_SCENES_FOLDER) / "cornell_box";
   const Image reference = readExr(folder / "reference.exr");
@@ -33,6 +34,11 @@ TEST_F(References, OfCornellBoxIsWhatThePathTracerConvergesTo) {
         EXPECT_TRUE(hasMean(differences, 0, 3 * kParts * kParts)) << channel << ' ' << i << ' ' << j;
       }
     }
+    Moments ratios;  // of both to the mean stored, less the latter
+    const std::vector<float> now = valuesOf(image, channel), stored = valuesOf(reference, channel);
+    for (std::size_t k = 0; k < now.size(); ++k)
+      ratios.add(1 + static_cast<double>(now[k] - stored[k]) / meanOf(reference, channel));
+    EXPECT_TRUE(isWithin(0.01, ratios, 1)) << channel;
   }
 }
 

@@ -33,7 +33,7 @@ TEST_F(HardLights, SlowWeakLightGetsPhotonsBesideAStrongHiddenOne) {
     RenderJob job = makeJob(Integrator::photon, 2);
     job.emission = emission;
     job.maxDepth = 24;
-    EXPECT_TRUE(hasMean(meanOverSeeds(job, scene, 6), expected, 2));
+    EXPECT_TRUE(hasMean(meanOverSeeds(job, scene, 8), expected, 2));
   }
 }
 
@@ -114,7 +114,7 @@ TEST_F(HardLights, SlowMillionTrianglesShineLikeTwo) {
     builder.square(builder.material(diffuse(vec3(0.8f))), {0, 0, 0}, {0, 1, 0}, 4);
     builder.square(builder.material(emitter(vec3(1.0f))), {0, 1, 0}, {0, -1, 0}, 1, cells);
     builder.camera({0, 0.8, 1.5}, {0, 0, 0}, 0.8, kSize, kSize);
-    return meanOverSeeds(makeJob(integrator, 2), builder.finish(), 3);
+    return meanOverSeeds(makeJob(integrator, 2), builder.finish(), 8);
   };
   for (const Integrator integrator : {Integrator::path, Integrator::photon})
     EXPECT_TRUE(haveSameMean(meansOf(1, integrator), meansOf(708, integrator), 2));

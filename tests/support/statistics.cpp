@@ -132,6 +132,13 @@ Moments momentsOf(std::span<const float> values) {
   return moments;
 }
 
+Moments ratiosOf(std::span<const double> a, std::span<const double> b) {
+  if (a.size() != b.size()) throw std::invalid_argument("ratiosOf: needs pairs");
+  Moments moments;
+  for (std::size_t i = 0; i < a.size(); ++i) moments.add(a[i] / b[i]);
+  return moments;
+}
+
 TestResult chiSquareTest(std::span<const double> observed, std::span<const double> expected,
                          int fittedParameters, double leastExpected) {
   requireComparable(observed, expected);

@@ -28,6 +28,9 @@ class Moments {
 [[nodiscard]] Moments momentsOf(std::span<const double> values);
 [[nodiscard]] Moments momentsOf(std::span<const float> values);
 
+/// Of each a[i] / b[i], for pairs whose noise is much alike, as that of renders with the same seed.
+[[nodiscard]] Moments ratiosOf(std::span<const double> a, std::span<const double> b);
+
 struct TestResult {
   double statistic = 0;
   double degreesOfFreedom = 0;  // 0 for a z-test

@@ -68,6 +68,13 @@ TEST(Moments, OfFewerThanTwoValuesHaveNoSpread) {
   EXPECT_EQ(momentsOf(std::vector<float>{2.5f}).variance(), 0.0);
 }
 
+TEST(Moments, OfRatiosTakePairs) {
+  const std::vector<double> a = {2, 6, 3}, b = {1, 2, 1}, two = {1, 2};
+  EXPECT_EQ(ratiosOf(a, b).count(), 3);
+  EXPECT_DOUBLE_EQ(ratiosOf(a, b).mean(), 8.0 / 3);
+  EXPECT_THROW(static_cast<void>(ratiosOf(a, two)), std::invalid_argument);
+}
+
 TEST(ChiSquareTest, AgreesWithPublishedTables) {
   // Six faces of a die; upper 5 % point of 5 degrees of freedom: 11.0705.
   const std::vector<double> expected(6, 100.0);
