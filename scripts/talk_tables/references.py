@@ -1,0 +1,164 @@
+"""References that errors are measured against, and their own error.
+
+A reference is made by another way than what it judges: by paths where they find the light, else by very many photons
+without sharing of light among pixels. It is the mean of two halves of different seeds and as many passes, each of one run or
+more. The variance of that mean is a quarter of the halves' squared difference, which is the squared difference of one half
+from it: that, as trimmed relMSE, is the own error. A bias that both halves share is not in it.
+"""
+import dataclasses
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import time
+
+from .pages import fill_page
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+FIRST_SEED = 4000000000  # that no table and no test uses
+PATHS = "--integrator path --gather 64 --max-depth 32"
+# Lamps that are small behind glass or water are beyond a path tracer. So many photons that lookups blur nothing.
+PHOTONS = "--photons 1000000 --gather 16 --indirect-filter off"
+# In pool and ring the required density has steps, beside which lookups of the caustic map lose light: the same density is
+# required everywhere (photons/m²).
+WAYS = {"cornell_box": PATHS, "rooms": PATHS, "door_slit": "--photons 262144 --gather 64 --indirect-filter off",
+        "glass_ball": PHOTONS, "glass_caustic": PHOTONS, "pool": PHOTONS + " --constant-density 40000",
+        "ring": PHOTONS + " --constant-density 100000"}
+# In glass_caustic a dozen pixels see the lamp in one path of a thousand: so wide, they are within the thousandth of the
+# pixels that the trimmed error leaves out.
+TABLE_WIDTHS = {scene: 96 for scene in WAYS} | {"glass_caustic": 128}
+FIRST_PASSES = 4
+GROWTH = 3  # a further run has so many times the passes so far, at most
+
+
+@dataclasses.dataclass
+class Purpose:
+    """References for one use: the sizes, (width, height or None for the camera's), and the own error to be reached."""
+    sizes: dict
+    targets: dict
+    images: str  # the file, by NAME
+
+    def image(self, scene):
+        return ROOT / self.images.replace("NAME", scene)
+
+
+# Targets are a tenth of the least error that is judged.
+PURPOSES = {
+    "tables": Purpose({scene: (width, None) for scene, width in TABLE_WIDTHS.items()},
+                      {"cornell_box": 3e-5, "rooms": 5e-5, "door_slit": 2e-3, "glass_ball": 6e-5, "glass_caustic": 2e-4,
+                       "pool": 2e-4, "ring": 1e-4}, "build/references/tables/NAME.exr"),
+    "stored": Purpose({scene: (128, 128) for scene in WAYS},
+                      {"cornell_box": 1e-4, "rooms": 2e-4, "door_slit": 5e-3, "glass_ball": 1e-4, "glass_caustic": 5e-4,
+                       "pool": 5e-4, "ring": 2e-4}, "scenes/NAME/reference.exr"),
+    "calibration": Purpose({"cornell_box": (40, None), "rooms": (40, None), "ring": (40, None), "pool": (40, None),
+                            "door_slit": (64, 64), "glass_caustic": (128, None)},
+                           {"cornell_box": 1e-3, "rooms": 1e-3, "ring": 1e-3, "pool": 1e-3, "door_slit": 4e-3,
+                            "glass_caustic": 2e-3}, "tests/data/calibration/NAME.exr"),
+}
+
+
+def next_passes(done, error, target, pass_seconds, seconds_left):
+    """Passes of a further run of each half: what the target asks for if noise falls as one over the passes, but no more
+    than GROWTH times those that are done, nor than the time left allows. 0: none."""
+    if error <= target:
+        return 0
+    wanted = min(done * (1.1 * error / target - 1), GROWTH * done)
+    return max(int(min(wanted, seconds_left / (2 * pass_seconds))), 0)
+
+
+class Reference:
+    def __init__(self, importon, purpose, scene):
+        self.importon, self.scene, self.purpose = importon, scene, PURPOSES[purpose]
+        self.target = self.purpose.targets[scene]
+        self.image = self.purpose.image(scene)
+        self.facts_file = self.image.with_suffix(".json")
+        self.folder = ROOT / "build/references" / purpose / scene
+        self.folder.mkdir(parents=True, exist_ok=True)
+
+    def facts(self):
+        return json.loads(self.facts_file.read_text()) if self.facts_file.exists() else None
+
+    def call(self, *words):
+        """What the program prints."""
+        return subprocess.run([str(self.importon), *map(str, words)], check=True, stdout=subprocess.PIPE, text=True).stdout
+
+    def options(self):
+        width, height = self.purpose.sizes[self.scene]
+        return f"{WAYS[self.scene]} --width {width}" + (f" --height {height}" if height else "")
+
+    def runs(self):
+        """Files of the runs that both halves have, as pairs."""
+        pairs = [(self.folder / f"a{k}.exr", self.folder / f"b{k}.exr") for k in range(100)]
+        return [pair for pair in pairs if all(file.exists() for file in pair)]
+
+    def add(self, passes):
+        """A further run of each half."""
+        number = len(self.runs())
+        for half in range(2):
+            file = self.folder / f"{'ab'[half]}{number}.exr"
+            if not file.exists():
+                self.call(ROOT / f"scenes/{self.scene}/{self.scene}.gltf", "-o", file, "-q", "--passes", passes, "--seed",
+                          FIRST_SEED + 2 * number + half, *self.options().split(), "--stats", file.with_suffix(".json"))
+
+    def half(self, files, name):
+        """The mean of the runs of a half."""
+        if len(files) == 1:
+            return files[0]
+        self.call("merge", *files, "-o", self.folder / name)
+        return self.folder / name
+
+    def merge(self):
+        """Merges what is there, and keeps what is known of it beside the image."""
+        pairs = self.runs()
+        halves = [self.half([pair[i] for pair in pairs], f"{'ab'[i]}.exr") for i in range(2)]
+        merged = self.folder / "merged.exr"
+        self.call("merge", *halves, "-o", merged)
+        error = json.loads(self.call("compare", halves[0], merged, "--json"))["relmse_trimmed"]
+        stats = [json.loads(file.with_suffix(".json").read_text()) for pair in pairs for file in pair]
+        facts = {"options": self.options(), "seeds": [FIRST_SEED, FIRST_SEED + 2 * len(pairs) - 1],
+                 "passes": sum(s["image"]["passes"] for s in stats), "seconds": sum(s["seconds"]["total"] for s in stats),
+                 "own_error": error, "target": self.target}
+        self.image.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(merged, self.image.with_suffix(".new"))
+        os.replace(self.image.with_suffix(".new"), self.image)
+        self.facts_file.write_text(json.dumps(facts, indent=2) + "\n")
+        return facts
+
+    def improve(self, seconds):
+        """Adds runs until the own error is at most the target, for about so many seconds; returns the facts."""
+        end = time.monotonic() + seconds
+        if not self.runs():
+            self.add(FIRST_PASSES)
+        facts = self.merge()
+        while True:
+            done = facts["passes"] // 2
+            passes = next_passes(done, facts["own_error"], self.target, facts["seconds"] / facts["passes"],
+                                 end - time.monotonic())
+            if passes == 0:
+                return facts
+            self.add(passes)
+            facts = self.merge()
+
+
+def reached(facts):
+    return facts["own_error"] <= facts["target"]
+
+
+def table_of(purpose):
+    """Rows for the references of a purpose that are there."""
+    lines = ["| reference | options | passes | own error, trimmed relMSE | aim |", "| --- | --- | --- | --- | --- |"]
+    for scene in PURPOSES[purpose].sizes:
+        file = PURPOSES[purpose].image(scene).with_suffix(".json")
+        if file.exists():
+            facts = json.loads(file.read_text())
+            aim = f"{facts['target']:.0e}" + ("" if reached(facts) else ", not reached")
+            lines.append(f"| `{scene}` | `{facts['options']}` | {facts['passes']} | {facts['own_error']:.2g} | {aim} |")
+    return "\n".join(lines)
+
+
+def write_table(purpose):
+    """Into the page that lists the references of a purpose, if there is one."""
+    page = {"stored": ROOT / "scenes/README.md", "calibration": ROOT / "tests/data/calibration/README.md"}.get(purpose)
+    if page:
+        fill_page(page, "references", table_of(purpose))
