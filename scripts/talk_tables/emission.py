@@ -1,21 +1,34 @@
-"""Photons by power and guided ones: error at equal photons, photons to equal error, density where it matters."""
+"""Photons by power and guided ones: error at equal photons, and photons to equal error."""
 import math
 
-from .lab import error_of, mean_and_half, number, table, with_interval, with_spread
+from .lab import error_of, errors_text, number, ratio_text, table, with_interval
 
 SCENES = ["rooms", "cornell_box", "door_slit", "glass_caustic", "ring", "pool"]
 EQUAL = "--passes 8 --photons 32768"
+POTENTIAL = "--emission guided --guide-by potential --scatter guided"
 
 
 def equal_photons(lab, seeds):
     """The default against emission by power, at equal photons a pass and at equal passes."""
     rows = []
     for scene in SCENES:
-        power = lab.over_seeds(scene, EQUAL + " --emission power", seeds)
-        default = lab.over_seeds(scene, EQUAL, seeds)
-        ratios = [error_of(a) / error_of(b) for a, b in zip(default, power)]
-        rows.append([f"`{scene}`", with_spread([error_of(s) for s in power]), with_interval(ratios)])
+        power, default = (lab.over_seeds(scene, EQUAL + way, seeds) for way in (" --emission power", ""))
+        rows.append([f"`{scene}`", errors_text(power), ratio_text(default, power)])
     return table(["scene", "error by power", "error by default, over it"], rows)
+
+
+FORCED = {"`importance`": "--emission guided --guide-by importance", "`deficit`": "--emission guided",
+          "`potential`, `--scatter guided`": POTENTIAL}
+
+
+def guides(lab, seeds):
+    """Guides of both maps, forced, against emission by power at equal photons: also where they cannot help."""
+    rows = []
+    for scene in ("rooms", "cornell_box", "door_slit"):
+        power = lab.over_seeds(scene, EQUAL + " --emission power", seeds)
+        rows.append([f"`{scene}`", *(ratio_text(lab.over_seeds(scene, f"{EQUAL} {way}", seeds), power)
+                                     for way in FORCED.values())])
+    return table(["scene", *FORCED], rows)
 
 
 def lessons(stats):
@@ -49,8 +62,7 @@ def share_text(shares):
 
 
 LEVELS = [(8, 131072, (8192, 16384, 32768))]  # passes, photons a pass by power and guided ones
-WAYS = {"`deficit`": "--emission guided",
-        "`potential`, `--scatter guided`": "--emission guided --guide-by potential --scatter guided"}
+WAYS = {"`deficit`": "--emission guided", "`potential`, `--scatter guided`": POTENTIAL}
 
 
 def equal_error(lab, seeds):
@@ -63,5 +75,5 @@ def equal_error(lab, seeds):
             by_seed = list(zip(*runs))
             plain = [share_of_power(r, p, lambda s: s["photons"]["emitted"]) for r, p in zip(by_seed, power)]
             full = [share_of_power(r, p, lambda s: s["photons"]["emitted"] + lessons(s)) for r, p in zip(by_seed, power)]
-            rows.append([f"{passes} × {number(most)}", name, share_text(plain), share_text(full)])
-    return table(["passes × photons by power", "guided by", "share of power's photons", "lessons counted"], rows)
+            rows.append([f"{passes} × {number(most)}", errors_text(power), name, share_text(plain), share_text(full)])
+    return table(["passes × photons by power", "its error", "guided by", "share of power's photons", "lessons counted"], rows)

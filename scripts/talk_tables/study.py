@@ -6,7 +6,8 @@ import re
 import subprocess
 import tempfile
 
-from .lab import ROOT, number, table, with_spread
+from .lab import table, with_spread
+from .references import ROOT
 
 OPTIONS = "--width 160 --photons 400000 --importons 80000 --passes 1"
 # Pictures of a sheet, row by row: the end of a figure's title, and which of its pictures.

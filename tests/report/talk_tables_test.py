@@ -16,7 +16,8 @@ calls = pathlib.Path(__file__).with_suffix(".calls")
 calls.write_text(calls.read_text() + "x" if calls.exists() else "x")
 photons = int(words[words.index("--photons") + 1])
 pathlib.Path(words[words.index("--stats") + 1]).write_text(json.dumps(
-    {"command": words, "error": {"relmse_trimmed": 1 / photons}, "photons": {"emitted": photons, "pilot": 100}}))
+    {"command": words, "error": {"relmse_trimmed": 1 / photons, "own_of_reference": 0},
+     "photons": {"emitted": photons, "pilot": 100}}))
 """
 
 
@@ -30,6 +31,22 @@ class Statistics(unittest.TestCase):
         mean, low, high = lab.geometric([0.5, 2])
         self.assertAlmostEqual(mean, 1)
         self.assertAlmostEqual(low * high, 1)
+
+    def test_what_is_not_known_within_a_factor_of_two_is_not_told(self):
+        self.assertEqual(lab.with_spread([1, 1.01, 1.02]), "1.01 ± 0.025")
+        self.assertEqual(lab.with_spread([1, 2, 3]), lab.NOT_KNOWN)
+        self.assertEqual(lab.with_interval([1, 1.01, 1.02]), "1.01 (0.99 … 1.04)")
+        self.assertEqual(lab.with_interval([1, 2, 3]), lab.NOT_KNOWN)
+
+    def test_an_error_near_the_references_own_is_an_upper_bound(self):
+        runs = lambda error, own: [{"error": {"relmse_trimmed": error, "own_of_reference": own}}] * 4
+        good, poor = runs(0.01, 0.0009), runs(0.01, 0.0011)
+        self.assertEqual(lab.errors_text(good), "0.01")
+        self.assertEqual(lab.errors_text(poor), "< 0.01")
+        self.assertEqual(lab.ratio_text(good, good), "1.00 (1.00 … 1.00)")
+        self.assertEqual(lab.ratio_text(runs(0.1, 0.0011), poor), "10.00 (10.00 … 10.00) \\*")
+        self.assertTrue(lab.table(["a"], [[lab.ratio_text(poor, poor)]]).endswith(lab.FLOOR_NOTE))
+        self.assertFalse(lab.table(["a"], [["b"]]).endswith(lab.FLOOR_NOTE))
 
     def test_photons_to_an_error_lie_on_the_curve(self):
         curve = [(100, 1.0), (400, 0.25)]
