@@ -43,7 +43,8 @@ struct ConvergeCommand {
   std::filesystem::path scene, reference, folder;
   std::vector<NamedJob> configs;
   std::vector<double> times;  // s, rising
-  int seeds = 3;
+  int seeds = 4;
+  std::optional<double> referenceError;  // trimmed relMSE; else what the image itself says
   Log::Verbosity verbosity = Log::Verbosity::normal;
 };
 

@@ -1,4 +1,6 @@
 #include <array>
+#include <charconv>
+#include <cmath>
 
 #include "app/commands.h"
 #include "app/output_folder.h"
@@ -7,12 +9,25 @@
 #include "io/layers.h"
 #include "io/output_file.h"
 #include "report/converge_files.h"
+#include "report/merge.h"
 #include "scene/gltf_loader.h"
 
 namespace importon {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// What is given, else what `merge` wrote into the image.
+std::optional<double> referenceError(const ConvergeCommand& command, const Image& reference) {
+  if (command.referenceError) return command.referenceError;
+  const auto found = reference.attributes.find(kOwnError);
+  if (found == reference.attributes.end()) return {};
+  double error = 0;
+  const std::string& text = found->second;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), error);
+  if (read.ec == std::errc() && std::isfinite(error)) return error;
+  return {};
+}
 
 constexpr std::array kFiles{"results.json", "results.csv", "index.html"};
 
@@ -32,7 +47,8 @@ ExitStatus runConverge(const ConvergeCommand& command, const std::atomic<bool>& 
   const ConvergeReport report =
       converge(plan, scene, reference, command.reference.string(), log, isInterrupted, tell);
   const ConvergeTitle title{IMPORTON_VERSION, command.scene.filename().string(),
-                            command.reference.filename().string(), command.seeds, command.times};
+                            command.reference.filename().string(), command.seeds, command.times,
+                            referenceError(command, reference)};
   writeTextFile(command.folder / kFiles[0], convergeJson(title, report));
   writeTextFile(command.folder / kFiles[1], convergeCsv(report));
   writeTextFile(command.folder / kFiles[2], convergePage(title, report, reference));

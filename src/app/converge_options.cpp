@@ -11,7 +11,7 @@
 namespace importon {
 namespace {
 
-constexpr const char* kDefaultNames = "default,uncontrolled,path";
+constexpr const char* kDefaultNames = "default,photons,uncontrolled,path";
 
 std::vector<std::string> knownNames() {
   std::vector<std::string> names;
@@ -44,7 +44,8 @@ std::vector<double> timesOf(const std::string& list) {
 
 std::vector<KnownConfig> knownConfigs() {
   return {{"default", ""},
-          {"uncontrolled", "--control off"},
+          {"photons", "--gather-from photons"},
+          {"uncontrolled", "--control off --gather-from photons"},
           {"density", "--control density"},
           {"unfiltered", "--indirect-filter off"},
           {"even", "--adaptive-samples off"},
@@ -52,7 +53,6 @@ std::vector<KnownConfig> knownConfigs() {
           {"probability", "--control probability"},
           {"power", "--emission power"},
           {"guided", "--emission guided"},
-          {"photons", "--gather-from photons"},
           {"path", "--integrator path"}};
 }
 
@@ -84,15 +84,20 @@ void addConvergeOptions(CLI::App& app, ConvergeOptions& options) {
          "--times", [&options](const std::string& list) { options.times = timesOf(list); },
          "time budgets in seconds, comma separated (default: 5,10,20,40)")
       ->type_name("LIST");
-  app.add_option("--seeds", options.seeds, "runs of each configuration (default: 3)")
+  app.add_option("--seeds", options.seeds, "runs of each configuration (default: 4)")
       ->check(wholeNumber(1, 10000, "seeds"))
       ->type_name("N");
+  app.add_option("--reference-error", options.referenceError,
+                 "trimmed relMSE of the reference's own noise (default: what\nmerge wrote into it, else unknown)")
+      ->check(notNegative("error"))
+      ->type_name("X");
   app.allow_extras();
   app.footer("All other options are those of render, for every configuration: --width, --device, ...");
 }
 
 ConvergeCommand makeConvergeCommand(const ConvergeOptions& options, const std::vector<std::string>& common) {
-  ConvergeCommand command{options.scene, options.reference, options.folder, {}, options.times, options.seeds, {}};
+  ConvergeCommand command{options.scene, options.reference, options.folder, {}, options.times, options.seeds,
+                          options.referenceError, {}};
   for (const std::string& name : options.names)
     command.configs.push_back(makeNamedJob(name, optionsOf(name), options.scene, common));
   for (const std::string& text : options.custom) command.configs.push_back(parseNamedJob(text, options.scene, common));

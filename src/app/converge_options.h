@@ -10,7 +10,8 @@ struct ConvergeOptions {
   std::vector<std::string> names;   // of --configs
   std::vector<std::string> custom;  // "NAME=OPTIONS", of --config
   std::vector<double> times;
-  int seeds = 3;
+  int seeds = 4;
+  std::optional<double> referenceError;
 };
 
 /// A configuration known by name, and its options of render.

@@ -23,7 +23,7 @@ struct ConvergeConfig {
 struct ConvergePlan {
   std::vector<ConvergeConfig> configs;  // the first one sets the levels of equal error
   std::vector<double> budgets;          // s of wall clock, rising; start-up counts, measuring doesn't
-  int seeds = 3;                        // 1, 2, ...
+  int seeds = 4;                        // 1, 2, ...
   double loadSeconds = 0;               // that loading the scene took: part of every run's time
 };
 

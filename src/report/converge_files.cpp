@@ -76,6 +76,7 @@ Json reportJson(const ConvergeTitle& title, const ConvergeReport& report) {
   return {{"version", title.version},
           {"scene", title.scene},
           {"reference", title.reference},
+          {"reference_error", optionalJson(title.referenceError)},
           {"device", {{"name", report.deviceName}, {"driver", report.deviceDriver}}},
           {"seeds", title.seeds},
           {"budgets", title.budgets},

@@ -1,5 +1,6 @@
 #include "report/merge.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <sstream>
@@ -7,6 +8,7 @@
 #include "base/error.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
+#include "report/compare.h"
 
 namespace importon {
 namespace {
@@ -46,6 +48,8 @@ std::vector<std::uint64_t> seedsOf(const Image& image, const std::string& name) 
 /// How a layer is averaged.
 enum class Kind { mean, variance, error };
 
+bool isColor(const std::string& channel) { return channel == "R" || channel == "G" || channel == "B"; }
+
 Kind kindOf(const std::string& channel) {
   if (channel.starts_with("variance.")) return Kind::variance;
   return channel.starts_with("error.") ? Kind::error : Kind::mean;
@@ -59,6 +63,7 @@ void ImageMerger::start(const Image& image, const std::string& name) {
   for (const Channel& channel : image.channels) {
     first_.channels.push_back({channel.name, {}});
     sums_.emplace_back(channel.values.size(), 0.0);
+    squares_.emplace_back(isColor(channel.name) ? channel.values.size() : 0, 0.0);
   }
 }
 
@@ -91,10 +96,26 @@ void ImageMerger::add(const Image& image, const std::string& name) {
     for (std::size_t i = 0; i < sums_[c].size(); ++i) {
       const auto value = static_cast<double>(channel.values[i]);
       sums_[c][i] += weight * (kind == Kind::error ? value * value : value);
+      if (!squares_[c].empty()) squares_[c][i] += weight * value * value;
     }
   }
+  ++images_;
   seeds_.insert(seeds.begin(), seeds.end());
   passes_ += passes;
+}
+
+/// Runs scatter around their mean with variances in proportion to one over their passes, so that of the mean of K runs
+/// is sum(w (x - mean)²)/((K - 1) sum(w)). An image that lies off by its root has the error to be known.
+double ImageMerger::ownError(const Image& mean) const {
+  Image moved = mean;
+  for (std::size_t c = 0; c < sums_.size(); ++c) {
+    for (std::size_t i = 0; i < squares_[c].size(); ++i) {
+      const double average = sums_[c][i] / passes_;
+      const double scatter = std::max(squares_[c][i] / passes_ - average * average, 0.0);
+      moved.channels[c].values[i] += static_cast<float>(std::sqrt(scatter / (images_ - 1)));
+    }
+  }
+  return compareValues(moved, firstName_, mean, firstName_).relmseTrimmed;
 }
 
 Image ImageMerger::result() const {
@@ -111,6 +132,9 @@ Image ImageMerger::result() const {
   }
   image.attributes[kSeeds] = fmt::format("{}", fmt::join(seeds_, " "));
   image.attributes[kPasses] = fmt::format("{:.0f}", passes_);
+  const bool hasColor = image.find("R") != nullptr && image.find("G") != nullptr && image.find("B") != nullptr;
+  image.attributes.erase(kOwnError);
+  if (images_ > 1 && hasColor) image.attributes[kOwnError] = fmt::format("{:.4g}", ownError(image));
   return image;
 }
 

@@ -40,6 +40,7 @@ TEST(Converge, WritesAllAsJson) {
   const auto json = nlohmann::json::parse(convergeJson(sampleTitle(), sampleReport()));
   EXPECT_EQ(json["scene"], "room.gltf");
   EXPECT_EQ(json["device"]["name"], "test device");
+  EXPECT_EQ(json["reference_error"], 0.003);
   ASSERT_EQ(json["configs"].size(), 2u);
   const auto& config = json["configs"][1];
   EXPECT_EQ(config["name"], "a<b");

@@ -97,5 +97,24 @@ TEST_F(ConvergePage, HasTheTables) {
   EXPECT_EQ(page.result, "configuration:options default:defaults a<b:--control off | not reached | 7");
 }
 
+// The reference's own error is 0.003: the first error of the first configuration, 0.16, is above ten times that; its last
+// one, 0.01, and the level of 0.02 are below.
+TEST_F(ConvergePage, TellsWhatTheReferenceIsTooNoisyFor) {
+  const PageVisit page = visit(
+      "const cells = (table, row) => [...document.querySelectorAll(table + ' tr')[row].cells].map(c => c.textContent);"
+      "tell([cells('#parts', 1)[3], cells('#parts', 3)[3], cells('#parts', 3)[4], cells('#times', 1)[3]].join(' | '));"
+      "tell(' | ' + document.getElementById('floor').textContent.slice(0, 36));");
+  EXPECT_EQ(page.errors, "");
+  EXPECT_EQ(page.result, "0.16 (0.16 … 0.16) | < 0.01 | < 0.01 | not known | The reference's own error is 0.003: ");
+}
+
+TEST_F(ConvergePage, TellsWhatIsNotKnownWithinAFactorOfTwo) {
+  const PageVisit page = visit(
+      "tell([withInterval({ mean: 1, low: 0.6, high: 1.6 }), withInterval({ mean: 1, low: 0.4, high: 2.2 }),"
+      "withInterval({ mean: 1, low: null, high: null })].join(' | '));");
+  EXPECT_EQ(page.errors, "");
+  EXPECT_EQ(page.result, "1 (0.6 … 1.6) | not known | 1");
+}
+
 }  // namespace
 }  // namespace importon

@@ -34,6 +34,6 @@ ConvergeReport sampleReport() {
   return report;
 }
 
-ConvergeTitle sampleTitle() { return {"1.2.3", "room.gltf", "reference.exr", 2, {1, 2, 4}}; }
+ConvergeTitle sampleTitle() { return {"1.2.3", "room.gltf", "reference.exr", 2, {1, 2, 4}, 0.003}; }
 
 }  // namespace importon::test

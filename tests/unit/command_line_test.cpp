@@ -188,7 +188,7 @@ TEST(CommandLine, Merges) {
 
 TEST(CommandLine, ConvergesWithConfigurations) {
   auto arguments = words("converge s.gltf --reference r.exr -o dir --configs path,uncontrolled --times 4,1,2.5 "
-                         "--seeds 5 --width 64 --height 48");
+                         "--seeds 5 --width 64 --height 48 --reference-error 0.001");
   arguments.insert(arguments.end(), {"--config", "many rays=--gather 8 --photons 1000"});
   const auto converge = std::get<ConvergeCommand>(parseCommandLine(arguments));
   EXPECT_EQ(converge.scene, "s.gltf");
@@ -196,9 +196,11 @@ TEST(CommandLine, ConvergesWithConfigurations) {
   EXPECT_EQ(converge.folder, "dir");
   EXPECT_EQ(converge.times, (std::vector<double>{1, 2.5, 4}));
   EXPECT_EQ(converge.seeds, 5);
+  EXPECT_EQ(converge.referenceError, 0.001);
   ASSERT_EQ(converge.configs.size(), 3u);
   EXPECT_EQ(converge.configs[0].job.integrator, Integrator::path);
   EXPECT_EQ(converge.configs[1].job.control, DensityControl::off);
+  EXPECT_EQ(converge.configs[1].job.gatherFrom, GatherSource::photons);
   EXPECT_EQ(converge.configs[2].name, "many rays");
   EXPECT_EQ(converge.configs[2].options, "--gather 8 --photons 1000");
   EXPECT_EQ(converge.configs[2].job.gather, 8);

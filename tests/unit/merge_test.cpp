@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "base/error.h"
 
@@ -56,6 +57,20 @@ TEST(Merge, MergesMergedImagesAsIfAllAtOnce) {
   EXPECT_EQ(rest.result().find("R")->values, all.result().find("R")->values);
   EXPECT_EQ(rest.result().find("variance.R")->values, all.result().find("variance.R")->values);
   EXPECT_EQ(rest.result().attributes, all.result().attributes);
+}
+
+// Runs of 1 and 3 passes, values 2 and 4 around 3.5: the variance of the mean is (1·1.5² + 3·0.5²)/4 = 0.75, its relMSE
+// 0.75/(3.5² + 0.01·3.5²).
+TEST(Merge, SaysHowFarNoiseKeepsTheMeanFromItsLimit) {
+  ImageMerger merger;
+  for (const auto& [seed, passes, value] : {std::tuple{"0", "1", 2.0F}, std::tuple{"1", "3", 4.0F}}) {
+    Image image = run(seed, passes, value);
+    for (const char* name : {"G", "B"}) image.channels.push_back({name, {value, value}});
+    image.attributes[kOwnError] = "7";
+    merger.add(image, seed);
+    EXPECT_EQ(merger.result().attributes.contains(kOwnError), seed == std::string("1")) << "of one image";
+  }
+  EXPECT_NEAR(std::stod(merger.result().attributes.at(kOwnError)), 0.75 / (1.01 * 3.5 * 3.5), 1e-4);
 }
 
 TEST(Merge, RefusesWhatIsNotOneImage) {
