@@ -67,6 +67,11 @@ def next_passes(done, error, target, pass_seconds, seconds_left):
     return max(int(min(wanted, seconds_left / (2 * pass_seconds))), 0)
 
 
+def is_whole(run):
+    """Whether a run was not stopped: its image and its statistics are there."""
+    return run.exists() and run.with_suffix(".json").exists()
+
+
 class Reference:
     def __init__(self, importon, purpose, scene):
         self.importon, self.scene, self.purpose = importon, scene, PURPOSES[purpose]
@@ -90,14 +95,16 @@ class Reference:
     def runs(self):
         """Files of the runs that both halves have, as pairs."""
         pairs = [(self.folder / f"a{k}.exr", self.folder / f"b{k}.exr") for k in range(100)]
-        return [pair for pair in pairs if all(file.exists() for file in pair)]
+        return [pair for pair in pairs if all(is_whole(file) for file in pair)]
 
     def add(self, passes):
-        """A further run of each half."""
+        """A further run of each half; where the last call was stopped between them, one that equals the first."""
         number = len(self.runs())
         for half in range(2):
             file = self.folder / f"{'ab'[half]}{number}.exr"
-            if not file.exists():
+            if is_whole(file):
+                passes = json.loads(file.with_suffix(".json").read_text())["image"]["passes"]
+            else:
                 self.call(ROOT / f"scenes/{self.scene}/{self.scene}.gltf", "-o", file, "-q", "--passes", passes, "--seed",
                           FIRST_SEED + 2 * number + half, *self.options().split(), "--stats", file.with_suffix(".json"))
 

@@ -14,7 +14,7 @@ import json, pathlib, sys
 words = sys.argv[1:]
 after = lambda word: words[words.index(word) + 1]
 calls = pathlib.Path(__file__).with_suffix(".calls")
-calls.write_text((calls.read_text() if calls.exists() else "") + words[0].split("/")[-1] + "\\\\n")
+calls.write_text((calls.read_text() if calls.exists() else "") + words[0].split("/")[-1] + "\\n")
 if words[0] == "compare":
     print(json.dumps({"relmse_trimmed": 0.02 / int(pathlib.Path(words[2]).read_text())}))
 elif words[0] == "merge":
@@ -82,6 +82,14 @@ class Runs(unittest.TestCase):
         self.assertEqual(self.make(0.002), first)
         self.assertEqual(self.renders(), made)
         self.assertGreater(self.make(0.0005)["passes"], first["passes"])
+
+    def test_of_both_halves_are_alike_after_a_stop_between_them(self):
+        kept = self.folder / "build/references/tables/ring"
+        kept.mkdir(parents=True)
+        (kept / "a0.exr").write_text("7")
+        (kept / "a0.json").write_text(json.dumps({"image": {"passes": 7}, "seconds": {"total": 0.007}}))
+        self.assertEqual(self.make(1)["passes"], 14)
+        self.assertEqual(self.renders(), 1)
 
     def test_stop_when_time_is_up(self):
         facts = self.make(1e-9, 0)

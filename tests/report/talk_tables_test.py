@@ -33,6 +33,9 @@ class Statistics(unittest.TestCase):
         self.assertAlmostEqual(low * high, 1)
 
     def test_what_is_not_known_within_a_factor_of_two_is_not_told(self):
+        self.assertTrue(lab.is_known(1, 0.6, 1.9))
+        self.assertFalse(lab.is_known(1, 0.4, 1.9))
+        self.assertFalse(lab.is_known(1, 0.6, 2.1))
         self.assertEqual(lab.with_spread([1, 1.01, 1.02]), "1.01 ± 0.025")
         self.assertEqual(lab.with_spread([1, 2, 3]), lab.NOT_KNOWN)
         self.assertEqual(lab.with_interval([1, 1.01, 1.02]), "1.01 (0.99 … 1.04)")
