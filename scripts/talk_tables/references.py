@@ -11,6 +11,7 @@ import os
 import pathlib
 import shutil
 import subprocess
+import sys
 import time
 
 from .pages import fill_page
@@ -108,19 +109,21 @@ class Reference:
                 self.call(ROOT / f"scenes/{self.scene}/{self.scene}.gltf", "-o", file, "-q", "--passes", passes, "--seed",
                           FIRST_SEED + 2 * number + half, *self.options().split(), "--stats", file.with_suffix(".json"))
 
-    def half(self, files, name):
-        """The mean of the runs of a half."""
+    def mean(self, files, name):
+        """The mean of the runs of a half, or of the halves."""
         if len(files) == 1:
             return files[0]
-        self.call("merge", *files, "-o", self.folder / name)
+        try:
+            self.call("merge", *files, "-o", self.folder / name)
+        except subprocess.CalledProcessError:
+            sys.exit(f"importon: error: runs do not belong together ({self.folder}): remove it, to begin anew")
         return self.folder / name
 
     def merge(self):
         """Merges what is there, and keeps what is known of it beside the image."""
         pairs = self.runs()
-        halves = [self.half([pair[i] for pair in pairs], f"{'ab'[i]}.exr") for i in range(2)]
-        merged = self.folder / "merged.exr"
-        self.call("merge", *halves, "-o", merged)
+        halves = [self.mean([pair[i] for pair in pairs], f"{'ab'[i]}.exr") for i in range(2)]
+        merged = self.mean(halves, "merged.exr")
         error = json.loads(self.call("compare", halves[0], merged, "--json"))["relmse_trimmed"]
         stats = [json.loads(file.with_suffix(".json").read_text()) for pair in pairs for file in pair]
         facts = {"options": self.options(), "seeds": [FIRST_SEED, FIRST_SEED + 2 * len(pairs) - 1],

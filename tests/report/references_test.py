@@ -19,6 +19,8 @@ if words[0] == "compare":
     print(json.dumps({"relmse_trimmed": 0.02 / int(pathlib.Path(words[2]).read_text())}))
 elif words[0] == "merge":
     images = words[1:words.index("-o")]
+    if any(pathlib.Path(i).read_text() == "stranger" for i in images):
+        sys.exit(2)
     pathlib.Path(after("-o")).write_text(str(sum(int(pathlib.Path(i).read_text()) for i in images)))
 else:
     passes = int(after("--passes"))
@@ -90,6 +92,12 @@ class Runs(unittest.TestCase):
         (kept / "a0.json").write_text(json.dumps({"image": {"passes": 7}, "seconds": {"total": 0.007}}))
         self.assertEqual(self.make(1)["passes"], 14)
         self.assertEqual(self.renders(), 1)
+
+    def test_of_another_program_are_told_of(self):
+        self.make(0.002)
+        (self.folder / "build/references/tables/ring/a0.exr").write_text("stranger")
+        with self.assertRaisesRegex(SystemExit, "remove it, to begin anew"):
+            self.make(0.002)
 
     def test_stop_when_time_is_up(self):
         facts = self.make(1e-9, 0)
