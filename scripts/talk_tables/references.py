@@ -152,7 +152,8 @@ class Reference:
 
 
 def reached(facts):
-    return facts["own_error"] <= facts["target"]
+    """An own error of None is not known: an image of one run, that was not made here."""
+    return facts["own_error"] is not None and facts["own_error"] <= facts["target"]
 
 
 def table_of(purpose):
@@ -162,8 +163,10 @@ def table_of(purpose):
         file = PURPOSES[purpose].image(scene).with_suffix(".json")
         if file.exists():
             facts = json.loads(file.read_text())
-            aim = f"{facts['target']:.0e}" + ("" if reached(facts) else ", not reached")
-            lines.append(f"| `{scene}` | `{facts['options']}` | {facts['passes']} | {facts['own_error']:.2g} | {aim} |")
+            is_known = facts["own_error"] is not None
+            aim = f"{facts['target']:.0e}" + (", not reached" if is_known and not reached(facts) else "")
+            error = f"{facts['own_error']:.2g}" if is_known else "not known"
+            lines.append(f"| `{scene}` | `{facts['options']}` | {facts['passes']} | {error} | {aim} |")
     return "\n".join(lines)
 
 
