@@ -22,8 +22,8 @@ struct ConvergeTitle {
 [[nodiscard]] std::string convergeCsv(const ConvergeReport& report);
 
 /// index.html: plots, images side by side and tables, with all that they need in the file itself. A mean whose interval
-/// reaches beyond a factor of two is shown as not known, an error of which the reference's own makes more than a tenth as
-/// an upper bound.
+/// reaches beyond a factor of two is shown as not known, an error of which the reference's own makes more than a tenth
+/// as an upper bound.
 [[nodiscard]] std::string convergePage(const ConvergeTitle& title, const ConvergeReport& report,
                                        const Image& reference);
 
