@@ -12,7 +12,7 @@ GROUPS = {
     "camera paths": {"camera rays", "shade camera path", "add direct light", "film"},
     "photons": {"photon rays", "guided photon rays", "scatter photon", "scatter caustic photon"},
     "storing": {"find cell", "claim cell", "store photons", "settle cell", "add to cell", "photon key", "resolve map",
-                "clear cells", "sum flux"},
+                "move cells", "sum flux"},
     "lookups": {"map lookup"},
     "cells": {"add to irradiance", "light of cell groups", "irradiance of cells"},
     "lists": {"set counter", "add counter", "compact count", "compact scatter", "scan", "select records", "sort count",

@@ -18,19 +18,38 @@ float countedDistance(Walk walk, vec3 normal, float radius) {
 #include "lib/nearest.glsl"
 
 const uint kFinestShift = 15u;  // of the shell: 2^-15 of the squared radius
+// In the cells of a level that is searched after finer ones. Some devices end the loops of an invocation after 65,535
+// steps in all, without a word; the level that is found is walked over four times.
+const uint kMostPoints = 8000u;
 
-/// A walk over the finest cells that hold M photons around s, so that few more are looked at; false: all hold fewer.
+uint pointsOf(Walk walk) {
+  uint points = 0u;
+  for (uint i = 0u; i < walk.ranges; ++i) points += searchRanges[i].y & 0x07FFFFFFu;
+  return points;
+}
+
+/// A walk over the finest cells that hold M photons around s, so that few more are looked at; false: all hold fewer, or
+/// those that might hold M have too many photons, of other surfaces, to look through; the walk is then the last one.
 bool findNearest(Surface s, out Walk walk, out float radius, out Shell shell) {
   const GridFrame frame = storedFrame();
   uint levels = push.levels;
-  bool isFound = false;
-  while (levels != 0u && !isFound) {
+  bool isFound = false, isTooMuch = false;
+  uint last = kNone;
+  while (levels != 0u && !isFound && !isTooMuch) {
     const uint at = uint(findMSB(levels));
     levels ^= 1u << at;
-    radius = gridCellEdge(frame, at);
+    const float edge = gridCellEdge(frame, at);
+    walk = beginWalkLevels(frame, s.position, s.geometricNormal, edge, 1u << at);
+    isTooMuch = last != kNone && pointsOf(walk) > kMostPoints;
+    if (isTooMuch) break;
+    last = at;
+    radius = edge;
     shell = beginShell(radius);
-    walk = beginWalkLevels(frame, s.position, s.geometricNormal, radius, 1u << at);
     isFound = narrow(walk, s.geometricNormal, radius, push.nearest, shell);
+  }
+  if (isTooMuch) {
+    walk = beginWalkLevels(frame, s.position, s.geometricNormal, radius, 1u << last);
+    shell = beginShell(radius);
   }
   while (isFound && shell.between > 1u && shell.shift > kFinestShift) narrow(walk, s.geometricNormal, radius, push.nearest, shell);
   return isFound;
@@ -57,6 +76,7 @@ vec3 reflectedRadiance(Surface s, vec3 direction) {
     outermost = d2;
     outer = light;
   }
+  if (walk.left > 0u || walk.range < walk.ranges) atomicAdd(counters[kCounterLookupsUnfinished], 1u);
   return isFull && outermost > 0.0 ? (sum - outer) / (kPi * outermost) : sum / (kPi * radius * radius);
 }
 

@@ -25,6 +25,8 @@ struct Hit {
 SHARED_CONST uint kCounterTraceTaken = 60u;       // rays of the queue that were taken; 0 again after a dispatch
 SHARED_CONST uint kCounterTraceLeft = 61u;        // invocations that are done; 0 again after a dispatch
 SHARED_CONST uint kCounterTraceUnfinished = 62u;  // rays given up so far because the device ends long loops
+// And kernels/map_nearest.comp.
+SHARED_CONST uint kCounterLookupsUnfinished = 63u;  // lookups that the device ended
 
 SHARED_END
 #endif

@@ -261,6 +261,9 @@ void RenderSession::countPass(int pass) {
   stats_.shadowRays += sumOf(counters, kSumRaysShadow);
   if (counters[kCounterTraceUnfinished] > 0)
     log_.warn("rays given up", fmt::format("{} rays were too long for this device", counters[kCounterTraceUnfinished]));
+  if (counters[kCounterLookupsUnfinished] > 0)
+    log_.warn("lookups given up", fmt::format("{} lookups of the nearest photons were too long for this device",
+                                              counters[kCounterLookupsUnfinished]));
   if (!hasMaps()) return;
   stats_.global.emitted += now_.photons;
   if (causticMap_) stats_.caustic.emitted += now_.causticPhotons;

@@ -53,6 +53,7 @@ std::vector<HostLayout> hostLayouts() {
       // shared/push_data.h
       IMPORTON_LAYOUT(PhotonCell, keyA, keyB, photon),
       IMPORTON_LAYOUT(CellFindPush, isGlobal),
+      IMPORTON_LAYOUT(CellSettlePush, capacity),
       IMPORTON_LAYOUT(AddCounterPush, counter, sum, empties),
       IMPORTON_LAYOUT(CompactCountPush, source),
       IMPORTON_LAYOUT(CompactScatterPush, source, takesIndex),

@@ -66,6 +66,40 @@ TEST_F(NearestPhotons, AreThoseOfASearchThroughAll) {
   EXPECT_GT(compared, 80);
 }
 
+/// A dim floor above a wall on which a spot light leaves some hundred times as many photons.
+Scene dimFloor() {
+  SceneBuilder builder;
+  builder.square(builder.material(test::diffuse(vec3(kAlbedo))), {0, 0, 0}, {0, 1, 0}, 2);
+  builder.square(builder.material(test::diffuse(vec3(0.01f))), {-0.1, -0.51, 0}, {1, 0, 0}, 1);
+  builder.directionalLight({0, -1, 0}, vec3(0.01f));
+  builder.spotLight({1, -0.51, 0}, {-1, 0, 0}, vec3(100), 0.4, 0.41);
+  builder.camera({0, 2, 0}, {0, 0, 0}, 0.3, 16, 16, {0, 0, -1});
+  return builder.finish();
+}
+
+TEST_F(NearestPhotons, AreFoundBesideASurfaceWithManyMore) {
+  const Scene scene = dimFloor();
+  RenderJob job;
+  job.passes = 1;
+  job.photons = 1u << 17;
+  job.importons = 1u << 10;
+  job.maxDepth = 1;
+  job.lookup = MapLookup::nearest;
+  job.lookupPhotons = 80;
+  test::MapRig rig(context(), scene, job);
+  const PhotonMap map = rig.shoot(MapKind::global, DensityControl::off, 0);
+  EXPECT_GT(rig.photons(map).size(), 100'000u);
+  const std::vector<float> aovs = rig.aovs(map);
+  const double expected = 0.01 * kAlbedo / M_PI;
+  double sum = 0, pixels = 0;
+  for (std::size_t at = 0; at < aovs.size(); at += kAovFloats, ++pixels) {
+    const double radiance = aovs[at + kAovMapLight + 3];
+    EXPECT_GT(radiance, 0.2 * expected);
+    sum += radiance / expected;
+  }
+  EXPECT_NEAR(sum / pixels, 1, 0.25);  // of some tens of photons, which neighbouring pixels share
+}
+
 TEST_F(NearestPhotons, OfAnEmptyMapAreNone) {
   const Scene scene = plane();
   RenderJob job;
