@@ -29,7 +29,8 @@ class EmittedPower : public test::GpuTest {
     test::MapRig rig(context(), scene, job);
     double power = 0, carried = 0;
     for (const Light& light : scene.lights) power += static_cast<double>(light.power);
-    for (const test::EmittedPhoton& photon : rig.emit(MapKind::global)) carried += static_cast<double>(photon.flux.y);
+    for (const test::EmittedPhoton& photon : rig.emit(MapKind::global))
+      carried += static_cast<double>(photon.flux.y);
     return carried / power;
   }
 };
@@ -51,7 +52,10 @@ TEST_F(EmittedPower, OfParallelAndOfPointLightIsTheSameInEveryPhoton) {
 
 // The falloff over the cone is integrated by 2^14 points that fill it evenly.
 TEST_F(EmittedPower, OfASpotIsTheIntegralOverItsCone) {
-  EXPECT_NEAR(ratio([](SceneBuilder& builder) { builder.spotLight({0, 0.5, 0}, {0.2, -1, 0}, vec3(2), 0.2, 0.9); }), 1, 2e-3);
+  EXPECT_NEAR(ratio([](SceneBuilder& builder) {
+                builder.spotLight({0, 0.5, 0}, {0.2, -1, 0}, vec3(2), 0.2, 0.9);
+              }),
+              1, 2e-3);
 }
 
 TEST_F(EmittedPower, OfAnEnvironmentIsThatOfTheDiscAroundTheScene) {

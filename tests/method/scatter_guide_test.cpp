@@ -1,4 +1,5 @@
-// lib/scatter_guide.glsl: a photon that scatters by a mixture of BSDF and guide sends the same light everywhere.
+// lib/scatter_guide.glsl: a photon that scatters by a mixture of BSDF and guide sends the same light
+// everywhere.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -30,7 +31,8 @@ struct Answer {
 
 class ScatterGuideTest : public test::GpuTest {
  protected:
-  /// A guide whose bins weigh from 1 to 9, and the light sent into each sector with a share of samples that follow it.
+  /// A guide whose bins weigh from 1 to 9, and the light sent into each sector with a share of samples that
+  /// follow it.
   std::array<test::Moments, kSectors> lightBySector(float share, unsigned seed) {
     constexpr uint kBins = kScatterBins * kScatterBins;
     std::vector<float> guide{1};
@@ -65,14 +67,16 @@ class ScatterGuideTest : public test::GpuTest {
   }
 };
 
-// Each sector's mean is known to about half a per cent: a weight that leaves out one of the two densities moves it by tens.
+// Each sector's mean is known to about half a per cent: a weight that leaves out one of the two densities moves
+// it by tens.
 TEST_F(ScatterGuideTest, SendsTheSameLightIntoEverySectorWhateverItsShare) {
   const auto plain = lightBySector(0, 1);
   for (const float share : {0.3f, 0.7f}) {
     const auto guided = lightBySector(share, 2);
     for (std::size_t i = 0; i < kSectors; ++i) {
       const test::Moments &a = plain[i], &b = guided[i];
-      EXPECT_GT(test::zTest(a.mean(), a.standardError(), b.mean(), b.standardError()).pValue, test::sidak(kSignificance, 2 * kSectors))
+      EXPECT_GT(test::zTest(a.mean(), a.standardError(), b.mean(), b.standardError()).pValue,
+                test::sidak(kSignificance, 2 * kSectors))
           << "share " << share << ", sector " << i << ": " << a.mean() << " and " << b.mean();
     }
   }

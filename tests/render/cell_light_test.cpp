@@ -8,8 +8,8 @@ namespace {
 
 class CellLight : public RenderTest {};
 
-// A cell of a large wall is as large as the wall, which a spot lights in one half only. Gather rays of the floor before
-// it come nearer than the cell is wide: a cell that was read would shine evenly.
+// A cell of a large wall is as large as the wall, which a spot lights in one half only. Gather rays of the
+// floor before it come nearer than the cell is wide: a cell that was read would shine evenly.
 TEST_F(CellLight, OfACellThatIsNearerThanItIsWideIsNotRead) {
   SceneBuilder builder;
   const uint white = builder.material(diffuse(vec3(0.7f)));
@@ -31,12 +31,13 @@ TEST_F(CellLight, OfACellThatIsNearerThanItIsWideIsNotRead) {
   path.maxDepth = 2;
   path.gather = 256;
   const std::vector<Moments> truth = overSeeds(path, scene, 4, halvesOf);
-  for (const std::size_t half : {0u, 1u}) EXPECT_NEAR(halves[half].mean() / truth[half].mean(), 1, 0.1) << "half " << half;
+  for (const std::size_t half : {0u, 1u})
+    EXPECT_NEAR(halves[half].mean() / truth[half].mean(), 1, 0.1) << "half " << half;
 }
 
-// A strong light in another sphere makes the units of power so large that a photon of the weak one is a fifteenth of a unit.
-// Rounded at random they come to what they are: E = power / (4 pi R² (1 - albedo)), known to 5 % of four seeds; rounded down
-// they come to nothing, and half of the light is missing.
+// A strong light in another sphere makes the units of power so large that a photon of the weak one is a
+// fifteenth of a unit. Rounded at random they come to what they are: E = power / (4 pi R² (1 - albedo)), known
+// to 5 % of four seeds; rounded down they come to nothing, and half of the light is missing.
 TEST_F(CellLight, OfLessThanAUnitAPhotonIsKept) {
   SceneBuilder builder;
   const uint walls = builder.material(diffuse(vec3(0.5f)));

@@ -30,8 +30,8 @@ TEST(Film, IsTheMeanOverAllPaths) {
   EXPECT_FLOAT_EQ(layers.total[0].x, 100.0f / 16);
 }
 
-// Even: 12 paths of mean 1 and mean square 12, variance (12 - 1) / 11 = 1 of their mean. Odd: 4 of mean 2 and mean square
-// 10, variance (10 - 4) / 3 = 2. The halves weigh 3/4 and 1/4.
+// Even: 12 paths of mean 1 and mean square 12, variance (12 - 1) / 11 = 1 of their mean. Odd: 4 of mean 2 and
+// mean square 10, variance (10 - 4) / 3 = 2. The halves weigh 3/4 and 1/4.
 TEST(Film, VarianceIsThatOfTheMean) {
   const FilmLayers layers = read(pixelOf(sums(12, 0, 0, 144), sums(8, 0, 0, 40)), 12, 4);
   EXPECT_FLOAT_EQ(layers.variance[0].x, 1 * 9.0f / 16 + 2 * 1.0f / 16);
