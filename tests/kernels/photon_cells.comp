@@ -1,0 +1,13 @@
+// Slots of cells in the table of photon cells.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "bindings/photon_cells.glsl"
+
+layout(binding = 100, scalar) readonly buffer In { uvec2 items[]; };
+layout(binding = 101, scalar) writeonly buffer Out { uint results[]; };
+layout(push_constant, scalar) uniform Push { uint count; };
+
+void main() {
+  const uint i = invocationIndex();
+  if (i < count) results[i] = findCell(CellKey(items[i].x, items[i].y));
+}
