@@ -295,6 +295,17 @@ TEST_F(BsdfTest, CoatedWhiteSurfacesKeepTheirLight) {
   }
 }
 
+TEST_F(BsdfTest, BlackDielectricReflectsTheSquareOfTheIndexContrast) {
+  for (const float ior : {1.0f, 1.33f, 1.5f, 2.4f}) {
+    Query smooth;
+    smooth.baseColor = vec3(0);
+    smooth.alpha = 0;
+    smooth.ior = ior;
+    const Answer a = ask({smooth}).front();
+    EXPECT_NEAR(a.weight.x, std::pow((ior - 1) / (ior + 1), 2), 1e-6) << "index " << ior;
+  }
+}
+
 // KHR_materials_specular weakens or colours what a dielectric reflects; the rest passes.
 TEST_F(BsdfTest, SpecularOfGlassMovesLightFromReflectionToTransmission) {
   Query glass = roughGlass(true);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -79,6 +80,49 @@ TEST(IndirectFilter, SharesNothingBetweenSurfaces) {
   };
   const FilteredIndirect image = filterIndirect(filmOf(scene, 0.01f), kWidth, kFourPaths, 1);
   EXPECT_LT(errorOf(image, scene, everywhere), 0.01 * 9);
+}
+
+/// Every other column sees `other`, in light of 1.2 with so much noise that all pixels share their light over large discs.
+/// The rest is floor in light of exactly 1, which it keeps if it takes nothing of the other surface.
+void expectSharesNothing(const std::function<Seen(int x, int y)>& other) {
+  const auto scene = [&](int x, int y) {
+    Seen s = onFloor(x, y);
+    if (x % 2 != 0) s = other(x, y), s.irradiance = 1.2f;
+    return s;
+  };
+  const auto isFloor = [](int x, int) { return x % 2 == 0; };
+  std::vector<FilmPixel> film = filmOf(scene, 0.5f);
+  for (std::size_t i = 0; i < film.size(); ++i)
+    if (isFloor(static_cast<int>(i % kPixels) % kWidth, 0)) film[i].indirect = film[i].modulation;
+  const FilteredIndirect image = filterIndirect(film, kWidth, kFourPaths, 1);
+  EXPECT_LT(errorOf(image, scene, isFloor), 1e-6);
+  EXPECT_LT(errorOf(image, scene, [&](int x, int y) { return !isFloor(x, y); }), 1.2 * 0.5 / std::sqrt(2.0) / 5) << "all keep their own light";
+}
+
+TEST(IndirectFilter, SharesNothingBetweenNormalsThatDifferInOnePlane) {
+  expectSharesNothing([](int x, int y) { return Seen{vec3(x, 0, y), vec3(0, -1, 0), 1, 0.5f}; });
+  // Pixels side by side lie in the planes of both.
+  expectSharesNothing([](int x, int y) { return Seen{vec3(x, 0, y), glm::normalize(vec3(0, 1, 0.577f)), 1, 0.5f}; });
+}
+
+TEST(IndirectFilter, SharesNothingBetweenParallelPlanes) {
+  // Further apart than a tenth of the largest disc's radius of 15.
+  for (const float depth : {2.0f, 20.0f})
+    expectSharesNothing([depth](int x, int y) { return Seen{vec3(x, -depth, y), vec3(0, 1, 0), 1, 0.5f}; });
+}
+
+TEST(IndirectFilter, TakesForNoiseWhatTheOtherHalfDoesNotShow) {
+  std::vector<FilmPixel> film = filmOf(onFloor, 0.2f);
+  const auto evenError = [&] {
+    double sum = 0;
+    const FilteredIndirect image = filterIndirect(film, kWidth, kFourPaths, 1);
+    for (std::size_t i = 0; i < kPixels; ++i) sum += std::pow(static_cast<double>(4 * image.even[i].x / film[i].modulation.x) - 1, 2);
+    return std::sqrt(sum / static_cast<double>(kPixels));
+  };
+  for (std::size_t i = kPixels; i < film.size(); ++i) film[i].indirect = film[i].modulation;  // the odd half has none
+  EXPECT_LT(evenError(), 0.2 / 9);
+  std::copy_n(film.begin(), kPixels, film.begin() + kPixels);  // it has the same: a pattern of the light
+  EXPECT_GT(evenError(), 0.19);
 }
 
 TEST(IndirectFilter, SharesEdgesWithEdgesOnly) {

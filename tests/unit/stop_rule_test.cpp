@@ -60,6 +60,17 @@ TEST(StopRule, StopsAtTheErrorWithFewEstimates) {
   EXPECT_LE(outcome.estimates, 7);
 }
 
+TEST(StopRule, StopsAtTheErrorAndNotAbove) {
+  const auto goesOnAt = [](double error) {
+    StopRule rule(jobOf({}, {}, 0.05), 1000, 0);
+    rule.errorIs(64, error, 0);
+    return rule.partsOfNext(64, 0) > 0;
+  };
+  EXPECT_TRUE(goesOnAt(std::nextafter(0.05, 1)));
+  EXPECT_FALSE(goesOnAt(0.05));
+  EXPECT_FALSE(goesOnAt(0.049));
+}
+
 TEST(StopRule, HasADefaultTarget) {
   EXPECT_EQ(StopRule(jobOf({}, {}, {}), 64, 0).target(), kDefaultError);
   EXPECT_LT(StopRule(jobOf(5, {}, {}), 5, 0).target(), 0);
