@@ -100,6 +100,40 @@ TEST_F(DensityControlTest, ByQuotaStoresTheRequiredDensityInBatchesOfAnySize) {
   }
 }
 
+/// Of `hits` up to `end` those nearer than `radius` to `position`.
+uint countWithin(const std::vector<vec3>& hits, std::size_t end, const vec3& position, float radius) {
+  return static_cast<uint>(std::count_if(hits.begin(), hits.begin() + static_cast<std::ptrdiff_t>(end), [&](const vec3& hit) {
+    return glm::dot(hit - position, hit - position) < radius * radius;
+  }));
+}
+
+// Against a search through all hits of one batch, in their order. A hit without a receiver is stored after all, but a
+// receiver takes from half the radius around it at least.
+TEST_F(DensityControlTest, ByQuotaStoresHitsBeforeWhichFewerThanTheQuotaFellNearby) {
+  constexpr float kRequired = 100;  // photons/m²; 650 arrive
+  const Scene scene = plane();
+  test::MapRig rig(context(), scene, planeJob(kRequired, 1u << 12));
+  std::vector<vec3> hits;
+  for (const MapPoint& hit : rig.photonsAsStored(rig.shoot(MapKind::global, DensityControl::off, 0))) hits.push_back(hit.position);
+  for (const uint quota : {1u, 3u, 8u}) {
+    rig.parameters.quotaPhotons = static_cast<float>(quota);
+    const float radius = std::sqrt(rig.parameters.quotaPhotons / (static_cast<float>(M_PI) * kRequired));
+    std::vector<vec3> accepted, others;
+    for (std::size_t i = 0; i < hits.size(); ++i)
+      (countWithin(hits, i, hits[i], radius) < quota ? accepted : others).push_back(hits[i]);
+    ASSERT_LT(3 * accepted.size(), others.size());
+    std::vector<vec3> stored;
+    for (const MapPoint& photon : rig.photonsAsStored(rig.shoot(MapKind::global, DensityControl::density, 1)))
+      stored.push_back(photon.position);
+    ASSERT_GE(stored.size(), accepted.size()) << "quota " << quota;
+    const auto rest = stored.begin() + static_cast<std::ptrdiff_t>(accepted.size());
+    EXPECT_TRUE(std::equal(accepted.begin(), accepted.end(), stored.begin())) << "quota " << quota;
+    EXPECT_TRUE(std::none_of(rest, stored.end(), [&](const vec3& position) {
+      return countWithin(accepted, accepted.size(), position, 0.49f * radius) > 0;
+    })) << "quota " << quota;
+  }
+}
+
 // The ramp turns hits away below the required density too, the program's limits none among the first few.
 TEST_F(DensityControlTest, ByCosineStoresLessThanByStep) {
   const Scene scene = plane();

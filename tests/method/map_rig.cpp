@@ -139,6 +139,16 @@ std::vector<MapPoint> MapRig::photons(const PhotonMap& map) const {
   return map.readPoints(*stage_);
 }
 
+std::vector<MapPoint> MapRig::photonsAsStored(const PhotonMap& map) const {
+  const std::vector<MapPoint> inCells = photons(map);
+  gpu::BindingTable table;
+  map.bindFinished(table);
+  const auto order = table.get(kBindingStoredOrder)->download<uint>(inCells.size());
+  std::vector<MapPoint> stored(inCells.size());
+  for (std::size_t i = 0; i < order.size(); ++i) stored[order[i]] = inCells[i];
+  return stored;
+}
+
 namespace {
 
 /// Lib/flux.glsl's unpackFlux.

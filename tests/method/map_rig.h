@@ -72,7 +72,9 @@ class MapRig {
   [[nodiscard]] PhotonMapCounts counts(const PhotonMap& map) const { return map.readCounts(*stage_, parameters.fluxScale); }
   /// The photons of a finished map, render space.
   [[nodiscard]] std::vector<MapPoint> photons(const PhotonMap& map) const;
-  /// Their flux, W, in the same order.
+  /// In the order in which they were stored.
+  [[nodiscard]] std::vector<MapPoint> photonsAsStored(const PhotonMap& map) const;
+  /// Flux of `photons`, W, in their order.
   [[nodiscard]] std::vector<vec3> flux(const PhotonMap& map) const;
   /// kAovFloats of each pixel, with the finished global map.
   [[nodiscard]] std::vector<float> aovs(const PhotonMap& global);
