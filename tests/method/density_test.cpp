@@ -114,7 +114,8 @@ TEST_F(DensityControlTest, ByQuotaStoresHitsBeforeWhichFewerThanTheQuotaFellNear
   const Scene scene = plane();
   test::MapRig rig(context(), scene, planeJob(kRequired, 1u << 12));
   std::vector<vec3> hits;
-  for (const MapPoint& hit : rig.photonsAsStored(rig.shoot(MapKind::global, DensityControl::off, 0))) hits.push_back(hit.position);
+  for (const MapPoint& hit : rig.photonsAsStored(rig.shoot(MapKind::global, DensityControl::off, 0)))
+    hits.push_back(hit.position);
   for (const uint quota : {1u, 3u, 8u}) {
     rig.parameters.quotaPhotons = static_cast<float>(quota);
     const float radius = std::sqrt(rig.parameters.quotaPhotons / (static_cast<float>(M_PI) * kRequired));
