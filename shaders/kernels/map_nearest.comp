@@ -35,7 +35,7 @@ bool findNearest(Surface s, out Walk walk, out float radius, out Shell shell) {
   uint levels = push.levels;
   bool isFound = false, isTooMuch = false;
   uint last = kNone;
-  while (levels != 0u && !isFound && !isTooMuch) {
+  while (levels != 0u && !isFound) {
     const uint at = uint(findMSB(levels));
     levels ^= 1u << at;
     const float edge = gridCellEdge(frame, at);
