@@ -26,6 +26,18 @@ Scene plane() {
   return builder.finish();
 }
 
+/// Short paths, whose photons are read by the nearest `nearest`.
+RenderJob nearestJob(std::uint32_t photons, int nearest) {
+  RenderJob job;
+  job.passes = 1;
+  job.photons = photons;
+  job.importons = 1u << 10;
+  job.maxDepth = 1;
+  job.lookup = MapLookup::nearest;
+  job.lookupPhotons = nearest;
+  return job;
+}
+
 class NearestPhotons : public test::GpuTest {};
 
 /// The talk's estimate by brute force: flux of the M-1 nearest over the disc of the M-th.
@@ -44,14 +56,7 @@ double radianceAt(vec3 position, const std::vector<MapPoint>& photons, const std
 
 TEST_F(NearestPhotons, AreThoseOfASearchThroughAll) {
   const Scene scene = plane();
-  RenderJob job;
-  job.passes = 1;
-  job.photons = 1u << 14;
-  job.importons = 1u << 10;
-  job.maxDepth = 1;
-  job.lookup = MapLookup::nearest;
-  job.lookupPhotons = 30;
-  test::MapRig rig(context(), scene, job);
+  test::MapRig rig(context(), scene, nearestJob(1u << 14, 30));
   const PhotonMap map = rig.shoot(MapKind::global, DensityControl::off, 0);
   const std::vector<float> aovs = rig.aovs(map);
   const std::vector<MapPoint> photons = rig.photons(map);
@@ -79,14 +84,7 @@ Scene dimFloor() {
 
 TEST_F(NearestPhotons, AreFoundBesideASurfaceWithManyMore) {
   const Scene scene = dimFloor();
-  RenderJob job;
-  job.passes = 1;
-  job.photons = 1u << 17;
-  job.importons = 1u << 10;
-  job.maxDepth = 1;
-  job.lookup = MapLookup::nearest;
-  job.lookupPhotons = 80;
-  test::MapRig rig(context(), scene, job);
+  test::MapRig rig(context(), scene, nearestJob(1u << 17, 80));
   const PhotonMap map = rig.shoot(MapKind::global, DensityControl::off, 0);
   EXPECT_GT(rig.photons(map).size(), 100'000u);
   const std::vector<float> aovs = rig.aovs(map);
