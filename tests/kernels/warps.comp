@@ -1,4 +1,4 @@
-// Warps of the unit square by number, and the frame around a direction.
+// Warps of the unit square by number, the weight of two densities, and the frame around a direction.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -25,6 +25,7 @@ vec3 warp(Sample s) {
   if (s.warp == 1u) return sampleCosineHemisphere(s.u);
   if (s.warp == 2u) return sampleSphere(s.u);
   if (s.warp == 3u) return sampleCone(s.u, s.cosMax);
+  if (s.warp == 5u) return vec3(powerHeuristic(s.u.x, s.u.y), 0.0, 0.0);
   return vec3(sampleTriangle(s.u), 0.0);
 }
 

@@ -65,6 +65,10 @@ TEST(Material, ReadsMetallicRoughness) {
 TEST(Material, EmissionIsFactorTimesStrength) {
   EXPECT_EQ(materialWith([](Json&) {}).emission, vec3(1, 2, 3));
   EXPECT_EQ(materialWith([](Json& json) { json.erase("extensions"); }).emission, vec3(0.25f, 0.5f, 0.75f));
+  const Material dim = materialWith([](Json& json) {
+    json["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = 0.5;
+  });
+  EXPECT_EQ(dim.emission, vec3(0.125f, 0.25f, 0.375f));
 }
 
 TEST(Material, AStrengthBeyond32BitIntegersIsKept) {

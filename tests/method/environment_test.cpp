@@ -73,17 +73,17 @@ TEST_F(Environments, DrawDirectionsWithTheStatedDensity) {
     std::uniform_real_distribution<float> unit(0, 0.99999994f);
     std::vector<Query> queries(kSamples);
     for (Query& q : queries) q.u = vec2(unit(random), unit(random));
-    // Cells are the map's texels, over which the density is constant.
+    // The density is constant over each of the map's texels, and so it is over each quarter of one.
     const auto cells = static_cast<std::size_t>(map.width * map.height);
-    std::vector<double> counts(cells), expected(cells);
+    std::vector<double> counts(4 * cells), expected(4 * cells);
     std::vector<Query> centres(cells);
     for (const Answer& a : ask(map, queries)) {
       const double azimuth =
           0.5 + std::atan2(static_cast<double>(a.sampled.x), -static_cast<double>(a.sampled.z)) / (2 * M_PI);
       const double height = std::acos(std::clamp(static_cast<double>(a.sampled.y), -1.0, 1.0)) / M_PI;
-      const int x = std::min(static_cast<int>(azimuth * map.width), map.width - 1);
-      const int y = std::min(static_cast<int>(height * map.height), map.height - 1);
-      ++counts[static_cast<std::size_t>(y * map.width + x)];
+      const int x = std::min(static_cast<int>(azimuth * 2 * map.width), 2 * map.width - 1);
+      const int y = std::min(static_cast<int>(height * 2 * map.height), 2 * map.height - 1);
+      ++counts[static_cast<std::size_t>(y * 2 * map.width + x)];
       ASSERT_NEAR(glm::length(a.sampled), 1, 1e-5);
       ASSERT_GT(a.sampledPdf, 0);
     }
@@ -97,11 +97,15 @@ TEST_F(Environments, DrawDirectionsWithTheStatedDensity) {
     const auto answers = ask(map, centres);
     double sum = 0;
     for (std::size_t i = 0; i < cells; ++i) {
-      const int row = static_cast<int>(i) / map.width;
-      const double solidAngle =
-          2 * M_PI / map.width * (std::cos(M_PI * row / map.height) - std::cos(M_PI * (row + 1) / map.height));
-      expected[i] = static_cast<double>(answers[i].pdf) * solidAngle * kSamples;
-      sum += expected[i] / kSamples;
+      const int row = static_cast<int>(i) / map.width, column = static_cast<int>(i) % map.width;
+      for (int half = 0; half < 2; ++half) {  // the upper, the lower
+        const double top = std::cos(M_PI * (row + 0.5 * half) / map.height),
+                     bottom = std::cos(M_PI * (row + 0.5 * half + 0.5) / map.height);
+        const double quarter = static_cast<double>(answers[i].pdf) * M_PI / map.width * (top - bottom);
+        const auto left = static_cast<std::size_t>((2 * row + half) * 2 * map.width + 2 * column);
+        expected[left] = expected[left + 1] = quarter * kSamples;
+        sum += 2 * quarter;
+      }
       const vec3 texel = map.texels[i];
       // In its centre the texel shows alone, but for a thousandth, as far as devices round arcs, of the sun
       // beside it.

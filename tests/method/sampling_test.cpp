@@ -24,7 +24,7 @@ struct Warped {
   vec3 frame[3];
 };
 
-enum Warp : uint { kDisc, kCosine, kSphere, kCone, kTriangle };
+enum Warp : uint { kDisc, kCosine, kSphere, kCone, kTriangle, kHeuristic };
 constexpr std::size_t kSamples = 200'000;
 
 class Warps : public test::GpuTest {
@@ -59,6 +59,16 @@ class Warps : public test::GpuTest {
     for (const Warped& w : points) ASSERT_NEAR(glm::length(w.point), 1, 1e-6);
   }
 };
+
+/// [Veach 1997, eq. 9.15], with beta 2.
+TEST_F(Warps, HeuristicIsTheShareOfTheSquaredDensity) {
+  std::vector<Sample> densities;
+  for (const vec2& u : {vec2(1, 1), vec2(3, 1), vec2(1, 3), vec2(1e30f, 1), vec2(1, 1e30f), vec2(2, 0)})
+    densities.push_back({kHeuristic, 0, u, vec3(0, 0, 1)});
+  const float expected[] = {0.5f, 0.9f, 0.1f, 1, 0, 1};
+  const auto weights = test::runKernel<Warped>(context(), test_kernels::spirv("warps"), densities);
+  for (std::size_t i = 0; i < densities.size(); ++i) EXPECT_NEAR(weights[i].point.x, expected[i], 1e-6f) << i;
+}
 
 TEST_F(Warps, DiscIsUniform) {
   expectUniform(warped(kDisc), [](const glm::dvec3& p) { return glm::dvec2(p.x * p.x + p.y * p.y, azimuth(p)); });

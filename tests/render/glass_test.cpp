@@ -44,6 +44,16 @@ TEST_P(Smooth, SolidSlabPassesWhatFresnelLeaves) {
   listed.note("within the test's rounding", 1);
 }
 
+/// Beer's law over the slab's thickness, with each of the reflections inside it.
+TEST_P(Smooth, SolidSlabAbsorbsByItsThickness) {
+  constexpr double kPerMetre = 0.4, kThickness = 2.5, kReflectance = 0.04;
+  SceneBuilder builder = brightWall();
+  builder.box(builder.material(glass(1.5f, vec3(static_cast<float>(kPerMetre)))), {-2, -2, -1.5}, {2, 2, 1}, Facing::outside);
+  const double through = std::exp(-kPerMetre * kThickness), there = kReflectance * through;
+  EXPECT_TRUE(isWithin(0.02, momentsOf(valuesOf(renderImage(builder.finish(), 64))),
+                       (1 - kReflectance) * (1 - kReflectance) * through / (1 - there * there)));
+}
+
 /// Share of light that passes a row of interfaces with these relative indices at normal incidence, all inner reflections
 /// counted: what they turn back, (1 - T) / T, adds up.
 double rowTransmittance(std::initializer_list<double> relativeIndices) {
@@ -65,6 +75,14 @@ TEST_P(Smooth, SolidInSolidRefractsByTheRelativeIndex) {
                         rowTransmittance({1.5, relative, relative, 1.5})))
         << inner;
   }
+}
+
+/// What is around a solid is known again after it was left.
+TEST_P(Smooth, SolidsBehindEachOtherInASolidRefractAlike) {
+  SceneBuilder builder = brightWall();
+  builder.box(builder.material(glass(1.5f)), {-2, -2, -0.5}, {2, 2, 0.5}, Facing::outside);
+  for (const double z : {-0.4, 0.1}) builder.box(builder.material(glass(2.25f)), {-1, -1, z}, {1, 1, z + 0.3}, Facing::outside);
+  EXPECT_TRUE(isWithin(0.02, momentsOf(valuesOf(renderImage(builder.finish(), 256))), rowTransmittance({1.5, 1.5, 1.5, 1.5, 1.5, 1.5})));
 }
 
 TEST_P(Smooth, OverlappingSolidsMeetInOneInterface) {

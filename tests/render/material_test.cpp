@@ -1,5 +1,6 @@
 // Materials at their limits: smooth against rough, and shading normals far from the surface's own.
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 
 #include "render_helper.h"
 
@@ -72,6 +73,42 @@ TEST_F(Materials, UnlitOnesShowTheirColorAndLightNothing) {
   }
 }
 
+/// A texel of 188 is 0.737 of the greatest value, which sRGB takes for 0.503. [IEC 61966-2-1]
+TEST_F(Materials, TexturesInSrgbAreDecoded) {
+  for (const bool isSrgb : {true, false}) {
+    Scene scene = [] {
+      Material unlit = diffuse(vec3(1.0f));
+      unlit.flags |= kMaterialUnlit;
+      return plateBeforeLight(unlit);
+    }();
+    Texture texture{};
+    texture.width = texture.height = 1;
+    texture.isSrgb = isSrgb ? 1 : 0;
+    texture.uvRow0 = vec3(1, 0, 0);
+    texture.uvRow1 = vec3(0, 1, 0);
+    scene.texels = {0xFFBCBCBCu};
+    scene.textures = {texture};
+    scene.materials[0].baseColorTexture = 0;
+    const double value = 188.0 / 255, linear = std::pow((value + 0.055) / 1.055, 2.4);
+    EXPECT_TRUE(isConstant(renderScene(jobOf(1), scene).image, isSrgb ? linear : value, 1e-5));
+  }
+}
+
+/// Of a rough plate near a light, each technique finds a good part of the light; the weights know the number of lights.
+TEST_F(Materials, ALightCutIntoManyShinesAsOne) {
+  const auto shine = [](int cells) {
+    SceneBuilder builder;
+    builder.square(builder.material(metal(vec3(0.9f), 0.4f)), {0, 0, 0}, {0, 0, 1}, 2);
+    builder.square(builder.material(emitter(vec3(1.0f))), {0, 0.5, 0.6}, {0, -0.3, -1}, 1, cells);
+    builder.camera({0, -1.5, 1}, {0, 0, 0}, 0.3, kSize, kSize);
+    const std::vector<float> values = valuesOf(renderScene(jobOf(512), builder.finish()).image);
+    return std::vector<double>(values.begin(), values.end());
+  };
+  const std::vector<double> one = shine(1);
+  for (const int cells : {4, 8})
+    EXPECT_TRUE(isWithin(0.01, ratiosOf(shine(cells), one), 1)) << 2 * cells * cells << " triangles";
+}
+
 /// Case 44: an icosahedron with the normals of a sphere, up to 37 degrees off.
 SceneBuilder icosahedron(const Material& material, Facing facing) {
   SceneBuilder builder;
@@ -81,15 +118,17 @@ SceneBuilder icosahedron(const Material& material, Facing facing) {
 
 TEST_F(Materials, ShadingNormalsLetNoLightThroughTheBack) {
   StabilityCase listed(44, "shading normals far off", "no light through the back");
-  for (const Facing facing : {Facing::outside, Facing::inside}) {
-    SceneBuilder builder = icosahedron(diffuse(vec3(0.9f)), facing);
-    builder.square(builder.material(diffuse(vec3(0.9f))), {0, -1.2, 0}, {0, 1, 0}, 8);
-    builder.pointLight({0.1, 0.2, 0}, vec3(10.0f));  // inside
-    builder.camera({0, 1, 4}, {0, -0.5, 0}, 0.8, kSize, kSize);
-    for (const Integrator integrator : {Integrator::path, Integrator::photon})
-      for (const float value : valuesOf(renderScene(jobOf(4, integrator), builder.finish()).image))
-        ASSERT_EQ(value, 0.0f);
-  }
+  // Both inside: one behind all shading normals; one at a corner, towards which shading normals around it lean.
+  for (const glm::dvec3& light : {glm::dvec3(0.1, 0.2, 0), 0.95 * glm::normalize(glm::dvec3(0, 1, glm::golden_ratio<double>()))})
+    for (const Facing facing : {Facing::outside, Facing::inside}) {
+      SceneBuilder builder = icosahedron(diffuse(vec3(0.9f)), facing);
+      builder.square(builder.material(diffuse(vec3(0.9f))), {0, -1.2, 0}, {0, 1, 0}, 8);
+      builder.pointLight(light, vec3(10.0f));
+      builder.camera({0, 1, 4}, {0, -0.5, 0}, 0.8, kSize, kSize);
+      for (const Integrator integrator : {Integrator::path, Integrator::photon})
+        for (const float value : valuesOf(renderScene(jobOf(16, integrator), builder.finish()).image))
+          ASSERT_EQ(value, 0.0f);
+    }
   listed.note("0", 1);
 }
 
