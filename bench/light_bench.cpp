@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "render/renderer.h"
+#include "render/render.h"
 #include "support/scene_builder.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <filesystem>
 
-#include "render/renderer.h"
+#include "render/render.h"
 #include "scene/gltf_loader.h"
 
 namespace {

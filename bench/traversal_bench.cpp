@@ -1,4 +1,4 @@
-// Rays per second of kernels/trace.comp on a million incoherent rays, or four million on a GPU, and on CPU devices the
+// Rays per second of kernels/traversal/trace.comp on a million incoherent rays, or four million on a GPU, and on CPU devices the
 // ratio to Embree's, measured in turns. In the environment, IMPORTON_BENCH_DEVICE names the Vulkan device as --device
 // does, and IMPORTON_BENCH_WITHOUT_EMBREE leaves out the comparison.
 #include <benchmark/benchmark.h>

@@ -56,6 +56,7 @@ PURPOSES = {
                             "door_slit": (64, 64), "glass_caustic": (128, None)},
                            {"cornell_box": 1e-3, "rooms": 1e-3, "ring": 1e-3, "pool": 1e-3, "door_slit": 4e-3,
                             "glass_caustic": 2e-3}, "tests/data/calibration/NAME.exr"),
+    "picture": Purpose({"door_slit": (400, 300)}, {"door_slit": 1e-2}, "build/references/picture/NAME.exr"),
 }
 
 

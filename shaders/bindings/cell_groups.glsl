@@ -1,4 +1,4 @@
-// Surface cells, the groups that they are in, and what fell in them: src/render/cell_tree.h.
+// Surface cells, the groups that they are in, and what fell in them: src/render/surface_cache/cell_tree.h.
 #ifndef IMPORTON_BINDINGS_CELL_GROUPS_GLSL
 #define IMPORTON_BINDINGS_CELL_GROUPS_GLSL
 #include "bindings/parameters.glsl"

@@ -1,4 +1,4 @@
-// The steps of kernels/eye_scatter.comp.
+// The steps of kernels/camera/eye_scatter.comp.
 #ifndef IMPORTON_BINDINGS_EYE_GLSL
 #define IMPORTON_BINDINGS_EYE_GLSL
 #include "lib/eye_stream.glsl"

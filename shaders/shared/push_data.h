@@ -6,25 +6,25 @@
 
 SHARED_BEGIN
 
-/// kernels/add_counter.comp
+/// kernels/lists/add_counter.comp
 struct AddCounterPush {
   uint counter;
   uint sum;      // its low word; the high one follows
   uint empties;  // 1: the counter is 0 afterwards
 };
 
-/// kernels/compact_count.comp
+/// kernels/lists/compact_count.comp
 struct CompactCountPush {
   uint source;
 };
 
-/// kernels/compact_scatter.comp
+/// kernels/lists/compact_scatter.comp
 struct CompactScatterPush {
   uint source;
   uint takesIndex;  // 1: writes the index of an entry; 0: the queue's value there
 };
 
-/// kernels/eye_emit.comp
+/// kernels/camera/eye_emit.comp
 struct EyeEmitPush {
   uint first;     // pixel or importon
   uint count;
@@ -35,35 +35,35 @@ struct EyeEmitPush {
   uint isPlanned; // 1: pixels have as many paths as the sample plan says
 };
 
-/// kernels/eye_light.comp
+/// kernels/camera/eye_light.comp
 struct EyeLightPush {
   uint source;
 };
 
-/// kernels/eye_scatter.comp
+/// kernels/camera/eye_scatter.comp
 struct EyeScatterPush {
   uint source;
   uint knowsImportance;
 };
 
-/// kernels/flux_sum.comp
+/// kernels/photon_map/flux_sum.comp
 struct FluxSumPush {
   uint what;    // kSum*
   uint source;
 };
 
-/// kernels/grid_cells.comp
+/// kernels/lists/grid_cells.comp
 struct GridCellsPush {
   uint source;
   uint slotMask;
 };
 
-/// kernels/grid_points.comp
+/// kernels/lists/grid_points.comp
 struct GridPointsPush {
   uint source;
 };
 
-/// kernels/guide_learn.comp
+/// kernels/guiding/guide_learn.comp
 struct GuideLearnPush {
   uint isGlobal;
   uint stream;
@@ -73,70 +73,70 @@ struct GuideLearnPush {
   uint isPotential;      // places count in proportion to their importance
 };
 
-/// kernels/hit_count.comp
+/// kernels/importance/hit_count.comp
 struct HitCountPush {
   uint isGlobal;
   uint weight;  // hits that each stands for
 };
 
-/// kernels/hit_key.comp
+/// kernels/photon_map/hit_key.comp
 struct HitKeyPush {
   uint isGlobal;
   uint slotMask;
   uint isControlled;
 };
 
-/// kernels/importon_bound.comp
+/// kernels/importance/importon_bound.comp
 struct ImportonBoundPush {
   uint levels;
 };
 
-/// kernels/importon_count.comp
+/// kernels/importance/importon_count.comp
 struct ImportonCountPush {
   uint slotMask;
 };
 
-/// kernels/importon_density.comp
+/// kernels/importance/importon_density.comp
 struct ImportonDensityPush {
   uint levels;
   uint nearest;
 };
 
-/// kernels/importon_differential.comp
+/// kernels/importance/importon_differential.comp
 struct ImportonDifferentialPush {
   uint source;
 };
 
-/// kernels/importon_entries.comp
+/// kernels/importance/importon_entries.comp
 struct ImportonEntriesPush {
   uint slotMask;
   uint levels;
 };
 
-/// kernels/importon_key.comp
+/// kernels/importance/importon_key.comp
 struct ImportonKeyPush {
   uint slotMask;
 };
 
-/// kernels/importon_level.comp
+/// kernels/importance/importon_level.comp
 struct ImportonLevelPush {
   uint slotMask;
   uint nearest;
 };
 
-/// kernels/importon_points.comp
+/// kernels/importance/importon_points.comp
 struct ImportonPointsPush {
   uint levels;
 };
 
-/// kernels/map_lookup.comp
+/// kernels/lookups/map_lookup.comp
 struct MapLookupPush {
   uint source;
   uint isGlobal;
   uint levels;  // counter with the map's grid levels
 };
 
-/// kernels/irradiance_estimate.comp
+/// kernels/lookups/irradiance_estimate.comp
 struct IrradianceEstimatePush {
   uint count;
   uint isGlobal;
@@ -144,19 +144,19 @@ struct IrradianceEstimatePush {
   uint levels;  // counter with the map's grid levels
 };
 
-/// kernels/cell_group.comp
+/// kernels/surface_cache/cell_group.comp
 struct CellGroupPush {
   uint first;  // group of the level
   uint count;
   uint cells;
 };
 
-/// kernels/cell_smooth.comp
+/// kernels/surface_cache/cell_smooth.comp
 struct CellSmoothPush {
   uint cells;
 };
 
-/// kernels/map_irradiance.comp
+/// kernels/lookups/map_irradiance.comp
 struct MapIrradiancePush {
   uint source;
   uint isGlobal;
@@ -164,7 +164,7 @@ struct MapIrradiancePush {
   uint levels;  // counter with the map's grid levels
 };
 
-/// kernels/map_nearest.comp
+/// kernels/lookups/map_nearest.comp
 struct MapNearestPush {
   uint source;
   uint isGlobal;
@@ -172,29 +172,29 @@ struct MapNearestPush {
   uint nearest;  // M
 };
 
-/// kernels/photon_entries.comp, kernels/photon_entry_points.comp
+/// kernels/lookups/photon_entries.comp, kernels/lookups/photon_entry_points.comp
 struct PhotonEntriesPush {
   uint slotMask;
   uint levels;
 };
 
-/// kernels/aov_ask.comp, kernels/aov_answer.comp
+/// kernels/camera/aov_ask.comp, kernels/camera/aov_answer.comp
 struct AovLightPush {
   uint count;     // pixels of the tile
   uint isGlobal;
 };
 
-/// kernels/cell_find.comp
+/// kernels/photon_map/cell_find.comp
 struct CellFindPush {
   uint isGlobal;
 };
 
-/// kernels/cell_settle.comp
+/// kernels/photon_map/cell_settle.comp
 struct CellSettlePush {
   uint capacity;
 };
 
-/// kernels/photon_emit.comp
+/// kernels/photons/photon_emit.comp
 struct PhotonEmitPush {
   uint firstPhoton;
   uint count;
@@ -203,14 +203,14 @@ struct PhotonEmitPush {
   uint isGlobal;
 };
 
-/// kernels/photon_key.comp
+/// kernels/lookups/photon_key.comp
 struct PhotonKeyPush {
   uint isFinished;
   uint isGlobal;
   uint slotMask;
 };
 
-/// kernels/photon_quota.comp
+/// kernels/photon_map/photon_quota.comp
 struct PhotonQuotaPush {
   uint isBatch;
   uint hasStored;
@@ -218,43 +218,43 @@ struct PhotonQuotaPush {
   uint fewest;      // up to so many neighbours do not count
 };
 
-/// kernels/photon_redistribute.comp
+/// kernels/photon_map/photon_redistribute.comp
 struct PhotonRedistributePush {
   uint receivers;
   uint shares;  // kShare*
 };
 
-/// kernels/photon_scatter.comp
+/// kernels/photons/photon_scatter.comp
 struct PhotonScatterPush {
   uint source;
   uint stream;
   ScatterGrid guide;
 };
 
-/// kernels/photon_store.comp
+/// kernels/photon_map/photon_store.comp
 struct PhotonStorePush {
   uint capacity;
   uint isWeighted;  // power times the weight that photon_thin noted
 };
 
-/// kernels/photon_thin.comp
+/// kernels/photon_map/photon_thin.comp
 struct PhotonThinPush {
   uint isGlobal;
   float floorProbability;
 };
 
-/// kernels/pilot_count.comp
+/// kernels/photon_map/pilot_count.comp
 struct PilotCountPush {
   uint isGlobal;
 };
 
-/// kernels/record_select.comp
+/// kernels/lists/record_select.comp
 struct RecordSelectPush {
   uint source;
   uint mask;
 };
 
-/// kernels/scan.comp
+/// kernels/lists/scan.comp
 struct ScanPush {
   uint source;  // counter of the entries
   uint perTile;  // block sums per tile of entries (64 digits in a sort)
@@ -262,12 +262,12 @@ struct ScanPush {
   uint accumulate;  // counter that receives `source` on top of its value; kNone: none
 };
 
-/// kernels/scatter_learn.comp
+/// kernels/guiding/scatter_learn.comp
 struct ScatterLearnPush {
   ScatterGrid guide;
 };
 
-/// kernels/set_counter.comp
+/// kernels/lists/set_counter.comp
 struct SetCounterPush {
   uint counter;
   uint value;
@@ -276,13 +276,13 @@ struct SetCounterPush {
   uint limit;  // the counter stays at or below it
 };
 
-/// kernels/site_ask.comp
+/// kernels/importance/site_ask.comp
 struct SiteAskPush {
   uint count;
   uint isGlobal;
 };
 
-/// kernels/site_emit.comp
+/// kernels/guiding/site_emit.comp
 struct SiteEmitPush {
   uint first;
   uint count;
@@ -292,20 +292,20 @@ struct SiteEmitPush {
   uint isPotential;      // places count in proportion to their importance
 };
 
-/// kernels/sort_count.comp
+/// kernels/lists/sort_count.comp
 struct SortCountPush {
   uint source;
   uint shift;
 };
 
-/// kernels/sort_scatter.comp
+/// kernels/lists/sort_scatter.comp
 struct SortScatterPush {
   uint source;
   uint shift;
   uint isFirst;
 };
 
-/// kernels/film_add.comp
+/// kernels/film/film_add.comp
 struct FilmAddPush {
   uint count;      // pixels of the tile
   uint samples;    // paths of each that are done
@@ -315,24 +315,24 @@ struct FilmAddPush {
   uint paths;      // done in all
 };
 
-/// kernels/aov_surface.comp
+/// kernels/camera/aov_surface.comp
 struct AovSurfacePush {
   uint count;  // pixels of the tile
 };
 
-/// kernels/aov_map.comp
+/// kernels/camera/aov_map.comp
 struct AovMapPush {
   uint count;
   uint isGlobal;
   uint levels;  // counter with the map's grid levels
 };
 
-/// kernels/aov_cells.comp
+/// kernels/camera/aov_cells.comp
 struct AovCellsPush {
   uint count;
 };
 
-/// kernels/trace.comp
+/// kernels/traversal/trace.comp
 struct TracePush {
   uint source;  // counter of the queue
 };

@@ -21,11 +21,11 @@ struct Hit {
   uint triangle;   // index into the scene's triangles; kNone: nothing hit
 };
 
-// Counters that kernels/trace.comp keeps among the others; 0 at first.
+// Counters that kernels/traversal/trace.comp keeps among the others; 0 at first.
 SHARED_CONST uint kCounterTraceTaken = 60u;       // rays of the queue that were taken; 0 again after a dispatch
 SHARED_CONST uint kCounterTraceLeft = 61u;        // invocations that are done; 0 again after a dispatch
 SHARED_CONST uint kCounterTraceUnfinished = 62u;  // rays given up so far because the device ends long loops
-// And kernels/map_nearest.comp.
+// And kernels/lookups/map_nearest.comp.
 SHARED_CONST uint kCounterLookupsUnfinished = 63u;  // lookups that the device ended
 
 SHARED_END

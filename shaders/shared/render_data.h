@@ -107,10 +107,10 @@ SHARED_CONST uint kPathLookupDeep = 0x4000u; // its map lookup counts as indirec
 /// Along each side of the scene: lib/light_voxel.glsl.
 SHARED_CONST uint kLightVoxels = 64u;
 
-/// As many times the paths of a pass that a pixel gets in the mean, one may get at most: src/render/sample_plan.h
+/// As many times the paths of a pass that a pixel gets in the mean, one may get at most: src/render/film/sample_plan.h
 SHARED_CONST uint kMostPathsShare = 8u;
 
-/// Importance is estimated at every so-manieth importon, from all of them.
+/// Importance is estimated at one of so many importons, from all of them.
 SHARED_CONST uint kImportonsPerSite = 4u;
 
 /// Hits near importons are counted in so many passes.
@@ -201,7 +201,7 @@ SHARED_CONST uint kShareEqual = 0u;
 SHARED_CONST uint kShareByDistance = 1u;
 SHARED_CONST uint kShareByDirection = 2u;
 
-// What kernels/flux_sum.comp sums, in the order of its totals.
+// What kernels/photon_map/flux_sum.comp sums, in the order of its totals.
 SHARED_CONST uint kSumHits = 0u;
 SHARED_CONST uint kSumMap = 1u;
 SHARED_CONST uint kSumKept = 2u;  // hits that photon_thin kept, with their weights

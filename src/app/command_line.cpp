@@ -7,7 +7,7 @@
 
 #include "CLI/CLI.hpp"
 #include "app/converge_options.h"
-#include "app/option_checks.h"
+#include "base/value_checks.h"
 #include "app/render_options.h"
 #include "app/study_options.h"
 #include "base/error.h"
@@ -44,11 +44,13 @@ Parser::Parser() {
   app.get_formatter()->column_width(kColumn);
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string(IMPORTON_VERSION));
+  app.set_help_all_flag("--help-all", "every option of every command");
   app.footer(
       "Exit status: 0 done; 1 usage; 2 scene; 3 device; 4 output; 5 a limit of compare exceeded;\n"
       "130 interrupted, after the image so far was written.");
   renderApp = app.add_subcommand("render", "render SCENE to an OpenEXR file");
   addRenderOptions(*renderApp, render);
+  renderApp->set_help_all_flag("--help-all", "every option");
   addInfo();
   addCompare();
   convergeApp = app.add_subcommand(
@@ -156,13 +158,19 @@ Command Parser::chosen() {
 
 /// Puts `render` before what is no command.
 std::vector<std::string> withCommand(std::span<const std::string> arguments) {
-  constexpr std::array<std::string_view, 10> kFirstWords{
-      "render", "info", "compare", "converge", "study", "merge", "devices", "--help", "-h", "--version"};
+  constexpr std::array<std::string_view, 11> kFirstWords{
+      "render", "info", "compare", "converge", "study", "merge", "devices", "--help", "-h", "--help-all", "--version"};
   std::vector<std::string> words(arguments.begin(), arguments.end());
   if (std::find(kFirstWords.begin(), kFirstWords.end(), words.front()) == kFirstWords.end()) {
     words.insert(words.begin(), "render");
   }
   return words;
+}
+
+/// One blank line where CLI11 puts two.
+std::string withoutDoubleBlanks(std::string text) {
+  for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != std::string::npos;) text.erase(at, 1);
+  return text;
 }
 
 }  // namespace
@@ -180,6 +188,9 @@ Command parseCommandLine(std::span<const std::string> arguments) {
   } catch (const CLI::CallForVersion&) {
     return TextCommand{std::string("importon ") + IMPORTON_VERSION + "\n"};
   } catch (const CLI::CallForHelp&) {
+    hideRareOptions(*parser.renderApp);
+    return TextCommand{withoutDoubleBlanks(parser.app.help())};
+  } catch (const CLI::CallForAllHelp&) {
     const bool isForOne = !parser.app.get_subcommands().empty();
     return TextCommand{parser.app.help("", isForOne ? CLI::AppFormatMode::Normal : CLI::AppFormatMode::All)};
   } catch (const CLI::ParseError& error) {

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "app/named_job.h"
-#include "app/option_checks.h"
+#include "base/value_checks.h"
 #include "base/error.h"
 #include "fmt/format.h"
 

@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "fmt/format.h"
 #include "io/layers.h"
-#include "render/camera_setup.h"
+#include "render/plan/camera_setup.h"
 #include "report/compare.h"
 
 namespace importon {

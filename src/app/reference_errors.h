@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/image.h"
-#include "render/renderer.h"
+#include "render/render.h"
 
 namespace importon {
 

@@ -10,9 +10,9 @@
 #include "fmt/ranges.h"
 #include "io/image.h"
 #include "io/output_file.h"
-#include "render/gather_source.h"
-#include "render/job_fingerprint.h"
-#include "render/renderer.h"
+#include "render/options/gather_source.h"
+#include "render/resume/job_fingerprint.h"
+#include "render/render.h"
 #include "scene/gltf_loader.h"
 
 namespace importon {
@@ -31,7 +31,7 @@ void warnOfUnusedOptions(const RenderCommand& command, Log& log) {
 }
 
 void tellGatherSource(const RenderJob& job, Log& log) {
-  const std::string_view reason = photonReason(job);
+  const std::string reason = photonReason(job);
   if (job.integrator == Integrator::path) return;
   log.detail(fmt::format("gather rays read {}{}{}", gatherSourceName(job), reason.empty() ? "" : ", by ", reason));
 }

@@ -1,7 +1,5 @@
-/// The options of `importon render`.
+/// The options of `importon render` on the command line.
 #pragma once
-#include <memory>
-
 #include "CLI/CLI.hpp"
 #include "app/command_line.h"
 
@@ -11,10 +9,13 @@ namespace importon {
 void addRenderOptions(CLI::App& app, RenderCommand& command);
 
 /// Declares --allow-outside-files.
-CLI::Option* addOutsideFilesFlag(CLI::App& app, RenderJob& job);
+void addOutsideFilesFlag(CLI::App& app, RenderJob& job);
 
 /// After parsing: applies --talk, and checks what no single option can: outputs that name the same file or the scene,
 /// options that contradict each other. Throws UsageError.
 void finishRenderCommand(const CLI::App& app, RenderCommand& command);
+
+/// Leaves in the help what one needs every day.
+void hideRareOptions(CLI::App& app);
 
 }  // namespace importon

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "app/named_job.h"
-#include "app/option_checks.h"
+#include "base/value_checks.h"
 #include "fmt/format.h"
 
 namespace importon {

@@ -26,8 +26,8 @@ enum class ScatterChoice { material, guided };  // by what photons scatter: the 
 enum class GuideWeight { importance, deficit, potential };  // what guided emission follows
 enum class PhotonsShot { all, enough };          // of a pass: all that it may have, or what important places require
 
-/// Unset optionals are chosen automatically. Names follow the options of `importon render`. What decides the image
-/// also goes into settingsOf in job_fingerprint.cpp.
+/// Unset optionals are chosen automatically. Names follow the options of `importon render`, each of which has a row in
+/// render/options/option_table.cpp.
 struct RenderJob {
   std::filesystem::path scene;
   std::filesystem::path output;
@@ -45,7 +45,7 @@ struct RenderJob {
   double probabilityFloor = 0;               // ε: least probability of storing a hit, for control by probability
   ImportanceChoice importance = ImportanceChoice::map;
   DifferentialBound differentialBound = DifferentialBound::screen;
-  std::optional<GatherSource> gatherFrom;  // unset: render/gather_source.h decides
+  std::optional<GatherSource> gatherFrom;  // unset: render/options/gather_source.h decides
   EmissionChoice emission = EmissionChoice::automatic;
   RequiredBy requiredBy = RequiredBy::importance;
   ScatterChoice scatter = ScatterChoice::material;

@@ -1,78 +1,153 @@
 #include "render/renderer.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
 #include "base/clock.h"
-#include "render/pause.h"
-#include "render/render_session.h"
-#include "render/stop_rule.h"
+#include "base/hash.h"
+#include "render/camera/aov_layers.h"
+#include "render/camera/lookup_trial.h"
+#include "render/film/aov_image.h"
+#include "render/film/error_estimate.h"
+#include "render/photons/pilots.h"
+#include "render/resume/job_fingerprint.h"
 
 namespace importon {
 namespace {
 
-/// A first guess of the seconds that resolving and writing the image takes.
-double guessFinish(const RenderJob& job, const RenderSession& session) {
-  constexpr double kFilterSeconds = 1.5e-6, kWriteSeconds = 4e-7;  // per pixel; per pixel and layer
-  const double layers = 1 + static_cast<double>(job.aovs.size()) + (job.png.empty() ? 0 : 1);
-  return static_cast<double>(session.pixels()) * (kWriteSeconds * layers + (job.filtersIndirect ? kFilterSeconds : 0));
-}
-
-RenderProgress describeProgress(RenderSession& session, const StopRule& rule, int passes, double seconds) {
-  const RenderStats& stats = session.stats();
-  const double working = std::max(stats.seconds.photons + stats.seconds.gather, 1e-9);
-  RenderProgress p;
-  p.pass = passes;
-  p.passes = session.maxPasses();
-  p.seconds = seconds;
-  p.photonsPerSecond = static_cast<double>(stats.photonsEmitted) / std::max(stats.seconds.photons, 1e-9);
-  p.raysPerSecond = static_cast<double>(stats.closestRays + stats.shadowRays) / working;
-  p.secondsLeft = rule.secondsLeft(passes, seconds);
-  p.error = rule.trend().error;
-  p.target = rule.target();
-  p.stats = &stats;
-  p.image = [&session] { return session.resolveColor(); };
-  return p;
+Image imageOf(const FilmLayers& layers, const PassContext& context) {
+  Image image{static_cast<int>(context.parameters.width), static_cast<int>(context.parameters.height), {}, {}};
+  addColor(image, "", layers.total);
+  return image;
 }
 
 }  // namespace
 
-RenderResult render(const RenderJob& job, const Scene& scene, Log& log, const std::atomic<bool>& isInterrupted,
-                    const std::function<void(const RenderProgress&)>& progress, Clock::time_point start,
-                    const DeviceSource& deviceSource) {
-  RenderSession session(job, scene, log, deviceSource);
-  Pause pause(job, session, log);
-  if (session.hasMaps()) session.findImportance();
-  StopRule rule(job, session.maxPasses(), guessFinish(job, session));
-  int passes = pause.resume(rule);
-  double outside = 0;  // seconds spent in `progress`
-  const auto elapsed = [&] { return secondsSince(start) - outside; };
-  for (;;) {
-    if (rule.wantsEstimate(passes)) {
-      const double estimateStart = elapsed();
-      const double error = session.estimatedError();
-      rule.errorIs(passes, error, elapsed() - estimateStart);
-    }
-    const int parts = rule.partsOfNext(passes, elapsed());
-    if (parts == 0 || isInterrupted) break;
-    const double passStart = elapsed();
-    session.shootPhotons(passes, parts);
-    session.gatherImage(passes);
-    session.countPass(passes);
-    ++passes;
-    rule.passTook(elapsed() - passStart, parts);
-    const double outsideStart = elapsed();
-    progress(describeProgress(session, rule, passes, outsideStart));
-    outside += elapsed() - outsideStart;
-    pause.save(rule, passes, false);
+Renderer::Renderer(const RenderJob& job, const Scene& scene, Log& log, const DeviceSource& deviceSource)
+    : context_(job, scene, log, stats_, deviceSource),
+      caustic_(context_, MapKind::caustic),
+      global_(context_, MapKind::global),
+      cache_(context_),
+      camera_(context_),
+      totals_(context_) {}
+
+void Renderer::prepare() {
+  if (!context_.hasMaps()) return;
+  const Clock::time_point start = Clock::now();
+  findImportance();
+  requireLessInOtherLight(context_, caustic_, global_);
+  for (PhotonSystem* system : {&global_, &caustic_}) {
+    trainGuides(context_, *system);
+    findEnoughPhotons(context_, *system);
+    expectDensity(context_, *system);
+    chooseLookups(context_, *system, camera_, {&caustic_.importance, &global_.importance});
+    totals_.done().of(system->kind).counted = countFirstHits(context_, *system);
   }
-  pause.save(rule, passes, true);
-  RenderResult result;
-  result.wasInterrupted = isInterrupted;
-  result.lacksCheckpoint = pause.hasFailed();
-  result.image = session.resolve();
-  session.finishStats(passes);
-  result.stats = session.stats();
-  return result;
+  cache_.learnHits();
+  stats_.seconds.importance = secondsSince(start);
+}
+
+void Renderer::findImportance() {
+  buildImportance(context_.stage(), context_.parameters, caustic_.importance, global_.importance,
+                  {context_.plan.importons, context_.plan.nearestImportons, caustic_.map.has_value()});
+  // A camera that sees no surface to light needs no photons, nor does a scene that has no light to shoot them.
+  if (context_.scene.lights.empty() || (global_.importance.count == 0 && caustic_.importance.count == 0))
+    for (PassSize* size : {&context_.now, &context_.plan.whole}) size->photons = size->causticPhotons = 0;
+  cache_.learnImportance();
+  stats_.importonsEmitted = context_.plan.importons;
+  stats_.importonsCaustic = caustic_.importance.count;
+  stats_.importonsGlobal = global_.importance.count;
+}
+
+void Renderer::renderPass(int pass, int parts) {
+  context_.now = context_.plan.sizeOf(parts);
+  context_.setPass(pass, totals_.done());
+  if (cache_.isUsed()) cache_.beginPass(pass);
+  context_.begin();
+  shootPhotons(pass);
+  gatherImage(pass);
+  totals_.countPass(pass, caustic_, global_, cache_);
+}
+
+void Renderer::shootPhotons(int pass) {
+  if (!context_.hasMaps()) return;
+  const Clock::time_point start = Clock::now();
+  const auto shoot = [&](bool isFirst) {
+    const bool fillsCache = cache_.isUsed() && isFirst;
+    global_.shoot(context_, isFirst, fillsCache ? [this] { cache_.addBatch(); } : std::function<void()>());
+    if (fillsCache) cache_.smooth();
+    caustic_.shoot(context_, isFirst, nullptr);
+    context_.recorder.submitAndWait();
+    const auto counters = context_.work.counters.download<uint>(kCounterCount);
+    return !caustic_.isFull(counters) && !global_.isFull(counters);
+  };
+  for (bool isFirst = true; !shoot(isFirst); isFirst = false) {
+    tightenDensityLimit(context_, caustic_, global_);
+    context_.upload();
+  }
+  if (cache_.isUsed()) cache_.endPass(pass);
+  for (PhotonSystem* system : {&global_, &caustic_}) system->endPass(context_);
+  stats_.seconds.photons += secondsSince(start);
+}
+
+void Renderer::gatherImage(int pass) {
+  const Clock::time_point start = Clock::now();
+  camera_.gather(pass, totals_.done(), eyeMaps());
+  stats_.seconds.gather += secondsSince(start);
+}
+
+EyeMaps Renderer::eyeMaps() const {
+  EyeMaps maps{&caustic_.importance, &global_.importance};
+  for (const PhotonSystem* system : {&caustic_, &global_})
+    if (system->map) maps.see(system->kind, *system->map);
+  maps.hasCells = cache_.isUsed();
+  return maps;
+}
+
+std::vector<Kept> Renderer::state() {
+  std::vector<Kept> state;
+  camera_.addKept(state);
+  totals_.addKept(state);
+  context_.addKept(state);
+  if (!context_.hasMaps()) return state;
+  for (PhotonSystem* system : {&caustic_, &global_}) system->addKept(state, context_.parameters);
+  cache_.addKept(state);
+  return state;
+}
+
+void Renderer::prepareState(int passes) {
+  if (cache_.isUsed()) cache_.prepareFor(passes);
+}
+
+void Renderer::stateRestored(int passes) {
+  for (PhotonSystem* system : {&global_, &caustic_}) system->restored(passes);
+}
+
+std::uint64_t Renderer::fingerprint() const {
+  const gpu::DeviceInfo& device = context_.device->context.info();
+  ContentHash hash;
+  hash.add(fmt::format("{} {} {} {}", imageFingerprint(context_.job, context_.scene), context_.job.seed, device.name, device.driver));
+  return hash.value();
+}
+
+Image Renderer::image() const {
+  return imageOf(camera_.read(totals_.done()), context_);
+}
+
+Image Renderer::imageWithLayers() {
+  const FilmLayers layers = camera_.read(totals_.done());
+  if (totals_.done().oddSamples > 0) {
+    stats_.error.estimated = layers.estimatedError;
+    stats_.error.low = kBandLow * layers.estimatedError;
+    stats_.error.high = kBandHigh * layers.estimatedError;
+  }
+  Image image = imageOf(layers, context_);
+  addAovs(context_, camera_, eyeMaps(), caustic_, global_, layers, image);
+  return image;
+}
+
+RenderStats Renderer::finish(int passes) {
+  totals_.finish(passes, caustic_, global_, cache_);
+  return stats_;
 }
 
 }  // namespace importon

@@ -1,41 +1,51 @@
-/// Renders a scene.
+/// The method, phase by phase.
 #pragma once
-#include <atomic>
-#include <chrono>
-#include <functional>
-
-#include "base/log.h"
 #include "io/image.h"
-#include "render/loaded_device.h"
-#include "render/render_job.h"
-#include "render/render_stats.h"
-#include "scene/scene.h"
+#include "render/camera/camera_pass.h"
+#include "render/run_totals.h"
 
 namespace importon {
 
-/// Told after every pass. Negative: not known.
-struct RenderProgress {
-  int pass = 0, passes = 0;
-  double seconds = 0, photonsPerSecond = 0, raysPerSecond = 0, secondsLeft = -1;
-  double error = -1, target = -1;  // estimated relative error of the image; the one at which to stop
-  const RenderStats* stats = nullptr;  // so far
-  std::function<Image()> image = {};   // the image so far, resolved anew at each call: without AOVs
-};
+/// The method: importance and required density for each map, guides, passes, image. Job, scene and log must last.
+class Renderer {
+ public:
+  Renderer(const RenderJob& job, const Scene& scene, Log& log, const DeviceSource& deviceSource = loadDevice);
 
-struct RenderResult {
-  Image image;
-  RenderStats stats;
-  bool wasInterrupted = false;
-  bool lacksCheckpoint = false;  // the last one could not be written
-};
+  /// Importance, required density and guides, before the first pass.
+  void prepare();
+  /// Pass `pass`, of `parts` of kPartsOfPass parts: photons into the maps, camera paths into the film.
+  void renderPass(int pass, int parts);
 
-/// Renders until the job's limits are reached or `isInterrupted` turns true (asked between passes); then returns
-/// the image so far. `start` is when the process started: the job's seconds count from there, without those spent in
-/// `progress`. `deviceSource` gives it a device with kernels. Throws DeviceError.
-[[nodiscard]] RenderResult render(const RenderJob& job, const Scene& scene, Log& log,
-                                  const std::atomic<bool>& isInterrupted,
-                                  const std::function<void(const RenderProgress&)>& progress,
-                                  std::chrono::steady_clock::time_point start,
-                                  const DeviceSource& deviceSource = loadDevice);
+  /// All that lasts from pass to pass.
+  [[nodiscard]] std::vector<Kept> state();
+  /// Has ready what state() is to be taken up into, after `passes` passes; and what follows from it.
+  void prepareState(int passes);
+  void stateRestored(int passes);
+  /// Of the run: all that decides the bits of the image but the number of passes.
+  [[nodiscard]] std::uint64_t fingerprint() const;
+
+  /// The image so far, relative error expected of it, and its layers that the job asks for.
+  [[nodiscard]] Image image() const;
+  [[nodiscard]] double estimatedError() const { return camera_.read(totals_.done()).estimatedError; }
+  [[nodiscard]] Image imageWithLayers();
+  /// Statistics so far, and at the end.
+  [[nodiscard]] const RenderStats& stats() const { return stats_; }
+  [[nodiscard]] RenderStats finish(int passes);
+  [[nodiscard]] PassContext& context() { return context_; }
+  [[nodiscard]] PassSums& done() { return totals_.done(); }
+
+ private:
+  void findImportance();
+  void shootPhotons(int pass);
+  void gatherImage(int pass);
+  [[nodiscard]] EyeMaps eyeMaps() const;
+
+  RenderStats stats_;
+  PassContext context_;
+  PhotonSystem caustic_, global_;
+  SurfaceCache cache_;  // in place of the global map
+  CameraPass camera_;
+  RunTotals totals_;
+};
 
 }  // namespace importon

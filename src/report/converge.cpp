@@ -5,7 +5,7 @@
 
 #include "base/clock.h"
 #include "fmt/format.h"
-#include "render/renderer.h"
+#include "render/render.h"
 
 namespace importon {
 namespace {

@@ -1,7 +1,7 @@
 #include "report/error_statistics.h"
 
 #include <algorithm>
-#include <array>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
 
@@ -11,12 +11,9 @@
 namespace importon {
 namespace {
 
-/// Two-sided 95 % quantile of Student's t; from 31 degrees of freedom on that of 30, slightly wide.
+/// Two-sided 95 % quantile of Student's t.
 double studentQuantile(std::size_t degreesOfFreedom) {
-  constexpr std::array kTable{12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228,
-                              2.201,  2.179, 2.160, 2.145, 2.131, 2.120, 2.110, 2.101, 2.093, 2.086,
-                              2.080,  2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042};
-  return kTable[std::min(degreesOfFreedom, kTable.size()) - 1];
+  return boost::math::quantile(boost::math::students_t(static_cast<double>(degreesOfFreedom)), 0.975);
 }
 
 /// Sum over the pixels of `value` without the thousandth with the greatest `error`, over their number.

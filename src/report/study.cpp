@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "render/renderer.h"
+#include "render/render.h"
 
 namespace importon {
 

@@ -1,4 +1,4 @@
-// kernels/trace_alpha.comp: rays pass where a material has holes.
+// kernels/traversal/trace_alpha.comp: rays pass where a material has holes.
 #include <gtest/gtest.h>
 
 #include <algorithm>

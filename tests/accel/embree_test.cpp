@@ -1,4 +1,4 @@
-// kernels/trace.comp against Embree in robust mode: on the project's own scenes, and on others where a folder of them
+// kernels/traversal/trace.comp against Embree in robust mode: on the project's own scenes, and on others where a folder of them
 // is named.
 #include <embree3/rtcore.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-/// Traces rays through kernels/trace.comp, for tests and benchmarks.
+/// Traces rays through kernels/traversal/trace.comp, for tests and benchmarks.
 #pragma once
 #include <span>
 #include <vector>
@@ -7,7 +7,7 @@
 #include "gpu/buffer.h"
 #include "gpu/kernel.h"
 #include "gpu/recorder.h"
-#include "render/device_scene.h"
+#include "render/device_scene/device_scene.h"
 #include "scene/scene.h"
 #include "shared/ray_data.h"
 
@@ -18,7 +18,7 @@ class RayTracer {
  public:
   /// Nothing has alpha.
   RayTracer(gpu::Context& context, const Bvh& bvh);
-  /// Through kernels/trace_alpha.comp: rays pass where the materials of `scene` have holes.
+  /// Through kernels/traversal/trace_alpha.comp: rays pass where the materials of `scene` have holes.
   RayTracer(gpu::Context& context, const Bvh& bvh, const Scene& scene);
 
   /// Sets the rays of the following calls.

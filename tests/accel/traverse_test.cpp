@@ -1,4 +1,4 @@
-// kernels/trace.comp against the same intersection routine over all triangles, without a BVH.
+// kernels/traversal/trace.comp against the same intersection routine over all triangles, without a BVH.
 #include <gtest/gtest.h>
 
 #include <cmath>

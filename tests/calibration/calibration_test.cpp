@@ -8,7 +8,7 @@
 
 #include "gpu/context.h"
 #include "io/image.h"
-#include "render/renderer.h"
+#include "render/render.h"
 #include "report/compare.h"
 #include "scene/gltf_loader.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "method/sphere_histogram.h"
-#include "render/albedo_table.h"
+#include "render/device_scene/albedo_table.h"
 #include "support/gpu_test.h"
 #include "support/statistics.h"
 #include "test_kernels/registry.h"

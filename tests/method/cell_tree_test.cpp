@@ -1,5 +1,5 @@
 // Groups of surface cells, and irradiance averaged over them as far as it does not differ.
-#include "render/cell_tree.h"
+#include "render/surface_cache/cell_tree.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,6 @@
 #include "method/map_rig.h"
 #include "support/gpu_test.h"
 #include "support/scene_builder.h"
-#include "support/special_functions.h"
 #include "support/statistics.h"
 
 namespace importon {
@@ -55,7 +54,7 @@ test::Moments countsOf(const LitPlane& plane, const std::vector<MapPoint>& photo
 /// distributed [Fisher 1925].
 double moreDispersed(const test::Moments& counts) {
   const double freedom = static_cast<double>(counts.count() - 1);
-  return test::regularizedGammaQ(0.5 * freedom, 0.5 * freedom * counts.variance() / counts.mean());
+  return test::chiSquareBeyond(freedom * counts.variance() / counts.mean(), freedom);
 }
 
 RenderJob planeJob() {

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "accel/bvh.h"
-#include "render/device_scene.h"
+#include "render/device_scene/device_scene.h"
 #include "shared/render_data.h"
 #include "support/gpu_test.h"
 #include "support/scene_builder.h"

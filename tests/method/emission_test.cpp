@@ -72,7 +72,7 @@ TEST_F(EmissionTest, AGuidesPhotonsHaveTheDensityThatTheirFluxStates) {
   MapRig rig(context(), scene_, job_);
   rig.findImportance();
   for (const MapKind kind : {MapKind::caustic, MapKind::global}) {
-    const EmissionGuide guide = rig.teachGuide(scene_, kind, 32);
+    const EmissionGuide guide = rig.trainedGuide(scene_, kind, 32);
     const auto guided = rig.emit(kind, &guide), plain = rig.emit(kind);
     const auto fluxGuided = fluxByOctant(guided, scene_.lights.size()), fluxPlain = fluxByOctant(plain, scene_.lights.size());
     const double significance = sidak(kSignificance, static_cast<std::int64_t>(2 * fluxPlain.size()));

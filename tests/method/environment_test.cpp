@@ -7,7 +7,7 @@
 
 #include "accel/bvh.h"
 #include "method/sphere_histogram.h"
-#include "render/device_scene.h"
+#include "render/device_scene/device_scene.h"
 #include "support/gpu_test.h"
 #include "support/scene_builder.h"
 #include "support/statistics.h"

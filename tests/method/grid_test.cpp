@@ -1,4 +1,4 @@
-// The hashed grid (render/point_grid.h, lib/grid_search.glsl) against brute force.
+// The hashed grid (render/lists/point_grid.h, lib/grid_search.glsl) against brute force.
 #include <gtest/gtest.h>
 
 #include <algorithm>

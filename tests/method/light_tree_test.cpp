@@ -1,5 +1,5 @@
 // lib/light_tree.glsl: lights are chosen with the probability that is stated, and near ones more often.
-#include "render/light_tree.h"
+#include "render/device_scene/light_tree.h"
 
 #include <gtest/gtest.h>
 

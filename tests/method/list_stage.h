@@ -4,7 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "render/point_grid.h"
+#include "render/lists/lists.h"
+#include "render/lists/point_grid.h"
+#include "render/lists/room.h"
 #include "support/gpu_test.h"
 
 namespace importon::test {

@@ -1,4 +1,4 @@
-// Compaction, scan and sort (render/workspace.h) against the standard library.
+// Compaction, scan and sort (render/device/workspace.h) against the standard library.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <bit>
 
-#include "render/eye_pass.h"
-#include "render/irradiance_map.h"
+#include "render/camera/eye_pass.h"
+#include "render/lists/lists.h"
+#include "render/surface_cache/irradiance_map.h"
 #include "shared/bindings.h"
 #include "shared/push_data.h"
 #include "shared/ray_data.h"
@@ -22,12 +23,15 @@ MapRig::MapRig(gpu::Context& context, const Scene& scene, const RenderJob& job)
   deviceScene_.bind(work_->table);
   recorder_.emplace(context);
   stage_.emplace(Stage{context, *recorder_, kernels_, *work_});
-  importance = makeImportanceMaps(context, plan.importons * (std::uint64_t{parameters.maxDepth} + 1),
-                                  plan.workspace.hasDifferentials);
+  const auto makeMap = [&](MapKind kind) {
+    return makeImportanceMap(context, kind, plan.importons * (std::uint64_t{parameters.maxDepth} + 1), plan.workspace.hasDifferentials);
+  };
+  importance = {makeMap(MapKind::caustic), makeMap(MapKind::global)};
 }
 
 void MapRig::findImportance() {
-  buildImportance(*stage_, parameters, importance, plan.importons, plan.nearestImportons, features_.needsCausticMap);
+  buildImportance(*stage_, parameters, importance.caustic, importance.global,
+                  {plan.importons, plan.nearestImportons, features_.needsCausticMap});
 }
 
 void MapRig::seeGlobalMapDirectly() {
@@ -47,7 +51,7 @@ ImportonsFound MapRig::importons(MapKind kind) const {
   return {map.grid.points.download<MapPoint>(sites), map.importance.download<float>(sites)};
 }
 
-EmissionGuide MapRig::teachGuide(const Scene& scene, MapKind kind, int bins) {
+EmissionGuide MapRig::trainedGuide(const Scene& scene, MapKind kind, int bins) {
   EmissionGuide guide(context_, scene, kind, bins, GuideWeight::importance);
   const ImportanceMap& map = kind == MapKind::caustic ? importance.caustic : importance.global;
   const double pixels = static_cast<double>(parameters.width) * static_cast<double>(parameters.height);
@@ -55,7 +59,7 @@ EmissionGuide MapRig::teachGuide(const Scene& scene, MapKind kind, int bins) {
   recorder_->fill(work_->counters, 0);
   tracePhotons(*stage_, {kind, &guide}, 0, plan.batch, parameters.maxDepth);
   selectRecords(*stage_, recordMask(kind));
-  guide.learn(*stage_, map, static_cast<float>(pixels / surfaceArea(scene)));
+  guide.train(*stage_, map, static_cast<float>(pixels / surfaceArea(scene)));
   recorder_->submitAndWait();
   guide.update();
   return guide;
@@ -170,9 +174,8 @@ std::vector<vec3> MapRig::flux(const PhotonMap& map) const {
 std::vector<float> MapRig::aovs(const PhotonMap& global) {
   const uint pixels = parameters.width * parameters.height;
   const gpu::Buffer buffer(context_, "AOVs", std::uint64_t{pixels} * kAovFloats * sizeof(float));
-  EyeMaps maps;
-  maps.importance = &importance;
-  maps.global = &global;
+  EyeMaps maps{&importance.caustic, &importance.global};
+  maps.see(MapKind::global, global);
   traceAovs(*stage_, maps, 0, pixels, buffer);
   recorder_->submitAndWait();
   return buffer.download<float>(std::uint64_t{pixels} * kAovFloats);

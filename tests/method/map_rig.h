@@ -6,13 +6,13 @@
 #include <optional>
 #include <vector>
 
-#include "render/device_scene.h"
-#include "render/emission_guide.h"
-#include "render/importance.h"
-#include "render/pass_plan.h"
-#include "render/photon_map.h"
-#include "render/photon_pass.h"
-#include "render/surface_cells.h"
+#include "render/device_scene/device_scene.h"
+#include "render/guiding/emission_guide.h"
+#include "render/importance/importance.h"
+#include "render/plan/pass_plan.h"
+#include "render/photon_map/photon_map.h"
+#include "render/photons/photon_pass.h"
+#include "render/surface_cache/surface_cells.h"
 
 namespace importon::test {
 
@@ -40,7 +40,9 @@ class MapRig {
 
   Parameters parameters;  // may be changed between steps
   PassPlan plan;
-  ImportanceMaps importance;
+  struct {
+    ImportanceMap caustic, global;
+  } importance;
 
   void findImportance();
   /// Has the sites of the caustic map in the global one: they lie where the camera looks. Importance must have been
@@ -64,7 +66,7 @@ class MapRig {
   [[nodiscard]] const gpu::BindingTable& bindings() const { return work_->table; }
   [[nodiscard]] const FeatureSet& features() const { return features_; }
   /// A guide that a batch of photons has taught. Importance must have been found.
-  [[nodiscard]] EmissionGuide teachGuide(const Scene& scene, MapKind kind, int bins);
+  [[nodiscard]] EmissionGuide trainedGuide(const Scene& scene, MapKind kind, int bins);
   /// A batch of photons as they leave the lights, by power or as a guide has it.
   [[nodiscard]] std::vector<EmittedPhoton> emit(MapKind kind, const EmissionGuide* guide = nullptr);
   /// Counts the hits of the plan's photons, with random numbers of their own.

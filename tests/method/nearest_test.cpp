@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "method/map_rig.h"
-#include "render/point_layer.h"
+#include "render/camera/point_layer.h"
 #include "support/gpu_test.h"
 #include "support/scene_builder.h"
 

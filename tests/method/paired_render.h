@@ -2,7 +2,7 @@
 /// claims about density control.
 #pragma once
 #include "method/render_scene.h"
-#include "render/importance.h"
+#include "render/importance/importance.h"
 #include "support/statistics.h"
 
 namespace importon::test {

@@ -9,7 +9,6 @@
 #include "support/claims.h"
 #include "support/gpu_test.h"
 #include "support/scene_builder.h"
-#include "support/special_functions.h"
 #include "support/statistics.h"
 
 namespace importon {
@@ -125,7 +124,7 @@ TEST_F(ProbabilityControl, KeepsThePowerOfEveryPlaceInExpectation) {
   EXPECT_GT(greatestWeight, 3 * std::max(leastWeight, 1.0)) << "probabilities are all alike";
   // The deviations of all places and seeds are independent.
   EXPECT_GT(places, 10 * kSeeds);
-  const double beyond = test::regularizedGammaQ(0.5 * places, 0.5 * squares);
+  const double beyond = test::chiSquareBeyond(squares, places);
   EXPECT_GT(std::min(beyond, 1 - beyond), 0.5 * kSignificance) << squares << " of " << places;
   EXPECT_TRUE(test::isWithin(0.01, ratios, 1));
 }

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "render/renderer.h"
+#include "render/render.h"
 
 namespace importon::test {
 

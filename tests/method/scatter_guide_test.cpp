@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "render/albedo_table.h"
+#include "render/device_scene/albedo_table.h"
 #include "shared/render_data.h"
 #include "support/gpu_test.h"
 #include "support/statistics.h"

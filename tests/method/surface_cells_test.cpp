@@ -5,8 +5,8 @@
 #include <numeric>
 #include <random>
 
-#include "render/point_density.h"
-#include "render/surface_cells.h"
+#include "render/importance/point_density.h"
+#include "render/surface_cache/surface_cells.h"
 #include "support/gpu_test.h"
 #include "support/scene_builder.h"
 #include "support/statistics.h"

@@ -5,7 +5,7 @@
 #include <array>
 #include <numeric>
 
-#include "render/emission_guide.h"
+#include "render/guiding/emission_guide.h"
 #include "render_helper.h"
 #include "support/scene_builder.h"
 #include "support/statistics.h"
@@ -13,42 +13,42 @@
 namespace importon::test {
 namespace {
 
-TEST(GuideShares, FollowTheRootOfWhatWasLearnedAndAreNeverZero) {
+TEST(GuidePmf, FollowTheRootOfWhatWasLearnedAndAreNeverZero) {
   const int bins = 8;
   std::vector<double> moments(2 * 64);
   moments[64 + 27] = 100;  // all from one direction of the second light
-  const GuideShares shares = chooseShares(moments, moments, {0.999999, 1e-6}, bins, GuideWeight::importance);
+  const GuidePmf shares = chooseGuidePmf(moments, moments, {0.999999, 1e-6}, bins, GuideWeight::importance);
   EXPECT_NEAR(std::accumulate(shares.cells.begin(), shares.cells.end(), 0.0), 1, 1e-12);
   for (const double share : shares.cells) EXPECT_GE(share, 0.075 / 128);
   EXPECT_EQ(std::max_element(shares.cells.begin(), shares.cells.end()) - shares.cells.begin(), 64 + 27);
-  EXPECT_EQ(shares.plainShare, 0.15);
+  EXPECT_EQ(shares.defensiveWeight, 0.15);
   EXPECT_GT(shares.gain, 1e6);
 }
 
-TEST(GuideShares, OfNothingLearnedAreNearlyByPower) {
-  const std::vector<double> cells = shareOut(std::vector<double>(32), {0.75, 0.25}, 4, GuideWeight::importance, 0.15);
+TEST(GuidePmf, OfNothingLearnedAreNearlyByPower) {
+  const std::vector<double> cells = guidePmf(std::vector<double>(32), {0.75, 0.25}, 4, GuideWeight::importance, 0.15);
   const auto expected = [](double power) { return 0.925 * power + 0.075 / 32; };
   EXPECT_NEAR(cells.front(), expected(0.75 / 16), 1e-15);
   EXPECT_NEAR(cells.back(), expected(0.25 / 16), 1e-15);
-  const GuideShares chosen = chooseShares(std::vector<double>(32), std::vector<double>(32), {0.75, 0.25}, 4, GuideWeight::importance);
+  const GuidePmf chosen = chooseGuidePmf(std::vector<double>(32), std::vector<double>(32), {0.75, 0.25}, 4, GuideWeight::importance);
   EXPECT_EQ(chosen.gain, 1);
 }
 
-TEST(GuideShares, StayOffWhereTheHalvesAgreeOnNothing) {
+TEST(GuidePmf, StayOffWhereTheHalvesAgreeOnNothing) {
   std::vector<double> even(64), odd(64);
   for (std::size_t cell = 0; cell < 64; ++cell) (cell % 8 < 4 ? even : odd)[cell] = 1;
-  const GuideShares shares = chooseShares(even, odd, {1}, 8, GuideWeight::importance);
-  EXPECT_EQ(shares.plainShare, 1);
+  const GuidePmf shares = chooseGuidePmf(even, odd, {1}, 8, GuideWeight::importance);
+  EXPECT_EQ(shares.defensiveWeight, 1);
   EXPECT_NEAR(shares.gain, 1, 1e-12) << "with one light, by power and evenly are the same";
   for (const double share : shares.cells) EXPECT_NEAR(share, 1.0 / 64, 1e-15);
 }
 
-TEST(GuideShares, OfPotentialFollowWhatWasLearnedItself) {
+TEST(GuidePmf, OfPotentialFollowWhatWasLearnedItself) {
   std::vector<double> moments(2 * 64);
   moments[27] = 1;
   moments[64 + 27] = 9;
   const auto ratio = [&](GuideWeight weight) {
-    const std::vector<double> cells = shareOut(moments, {0.5, 0.5}, 8, weight, 0.15);
+    const std::vector<double> cells = guidePmf(moments, {0.5, 0.5}, 8, weight, 0.15);
     return (cells[64 + 27] - cells[0]) / (cells[27] - cells[0]);
   };
   EXPECT_NEAR(ratio(GuideWeight::importance), 3, 1e-9);

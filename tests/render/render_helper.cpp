@@ -14,7 +14,7 @@
 
 #include "base/error.h"
 #include "gpu/context.h"
-#include "render/loaded_device.h"
+#include "render/device/loaded_device.h"
 #include "support/stability.h"
 
 namespace importon::test {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/log.h"
-#include "render/renderer.h"
+#include "render/render.h"
 #include "support/claims.h"
 #include "support/scene_builder.h"
 #include "support/stability.h"

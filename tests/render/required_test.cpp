@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "render/features.h"
-#include "render/pass_plan.h"
+#include "render/features/features.h"
+#include "render/plan/pass_plan.h"
 #include "render_helper.h"
 
 namespace importon::test {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "render/scatter_guide.h"
+#include "render/guiding/scatter_guide.h"
 #include "render_helper.h"
 
 namespace importon::test {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "render/site_hits.h"
+#include "render/importance/site_hits.h"
 #include "render_helper.h"
 
 namespace importon::test {

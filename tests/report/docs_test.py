@@ -21,7 +21,7 @@ ASSIGNMENT = re.compile(r"^\w+=[^\s(]*$")
 
 
 def help_of(*words):
-    return subprocess.run([IMPORTON, *words, "--help"], check=True, capture_output=True, text=True).stdout
+    return subprocess.run([IMPORTON, *words, "--help-all"], check=True, capture_output=True, text=True).stdout
 
 
 def read_program():

@@ -12,12 +12,15 @@ namespace {
 
 using test::greyRow;
 
-// 1, 2, 3: mean 2, standard error 1/sqrt(3), t with 2 degrees of freedom 4.303.
+// Student's 97.5 % quantile in closed form, for one degree of freedom (Cauchy's distribution) and for two.
+const double kOne = std::tan(0.475 * M_PI), kTwo = 0.95 * std::sqrt(2 / (4 * 0.975 * 0.025));
+
+// 1, 2, 3: mean 2, standard error 1/sqrt(3).
 TEST(Interval, IsStudents) {
   const Interval interval = intervalOf(std::vector<double>{1, 2, 3});
   EXPECT_NEAR(interval.mean, 2, 1e-12);
-  EXPECT_NEAR(*interval.low, 2 - 4.303 / std::sqrt(3.0), 1e-9);
-  EXPECT_NEAR(*interval.high, 2 + 4.303 / std::sqrt(3.0), 1e-9);
+  EXPECT_NEAR(*interval.low, 2 - kTwo / std::sqrt(3.0), 1e-9);
+  EXPECT_NEAR(*interval.high, 2 + kTwo / std::sqrt(3.0), 1e-9);
 }
 
 TEST(Interval, IsUnknownForOneSample) {
@@ -27,11 +30,11 @@ TEST(Interval, IsUnknownForOneSample) {
   EXPECT_FALSE(interval.high);
 }
 
-// 1 and 4: logarithms 0 and 2 log 2, standard error log 2, t 12.706.
+// 1 and 4: logarithms 0 and 2 log 2, standard error log 2.
 TEST(Interval, OfLogarithmsSpreadsByFactors) {
   const Interval interval = logIntervalOf(std::vector<double>{1, 4});
   EXPECT_NEAR(interval.mean, 2, 1e-12);
-  EXPECT_NEAR(*interval.high / 2, std::pow(2, 12.706), 1e-6 * std::pow(2, 12.706));
+  EXPECT_NEAR(*interval.high / 2, std::pow(2, kOne), 1e-6 * std::pow(2, kOne));
   EXPECT_NEAR(*interval.low * *interval.high, 4, 1e-9);
 }
 

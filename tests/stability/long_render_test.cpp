@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "render/render_session.h"
+#include "render/renderer.h"
 #include "hard_scenes.h"
 #include "render_helper.h"
 
@@ -15,29 +15,25 @@ class LongRenders : public RenderTest {
  protected:
   Log log_{Log::Verbosity::quiet};
 
-  static void renderPasses(RenderSession& session, int first, int count) {
-    for (int pass = first; pass < first + count; ++pass) {
-      session.shootPhotons(pass, kPartsOfPass);
-      session.gatherImage(pass);
-      session.countPass(pass);
-    }
+  static void renderPasses(Renderer& renderer, int first, int count) {
+    for (int pass = first; pass < first + count; ++pass) renderer.renderPass(pass, kPartsOfPass);
   }
 
   /// What `passes` passes, taken as an even number, come to.
   static PassSums sumsOf(const RenderJob& job, std::uint64_t passes) {
     PassSums sums;
     sums.evenSamples = sums.oddSamples = passes / 2 * static_cast<std::uint64_t>(job.gather.value_or(4));
-    sums.photons = sums.causticPhotons = passes * job.photons.value_or(0);
+    sums.caustic.shot = sums.global.shot = passes * job.photons.value_or(0);
     return sums;
   }
 
   /// Values of the image of `count` passes, an even number, from pass `first` on. The film does not hold those before.
   std::vector<float> passesFrom(int first, int count, const RenderJob& job, const Scene& scene) {
-    RenderSession session(job, scene, log_);
-    if (session.hasMaps()) session.findImportance();
-    session.setDone(sumsOf(job, static_cast<std::uint64_t>(first)));
-    renderPasses(session, first, count);
-    std::vector<float> values = valuesOf(session.resolveColor());
+    Renderer renderer(job, scene, log_);
+    renderer.prepare();
+    renderer.done() = sumsOf(job, static_cast<std::uint64_t>(first));
+    renderPasses(renderer, first, count);
+    std::vector<float> values = valuesOf(renderer.image());
     for (float& value : values) value *= static_cast<float>(first / 2 * 2 + count) / static_cast<float>(count);
     return values;
   }
@@ -72,19 +68,19 @@ TEST_F(LongRenders, SumsOfAMillionPassesGoOnToGrow) {
   const Scene scene = builder.finish();
   RenderJob job = makeJob(Integrator::path, 1);
   job.gather = 4;
-  RenderSession session(job, scene, log_);
-  renderPasses(session, 0, 2);
-  const Checkpoint before = repeated(session.save(2, {}), 19);
-  session.restore(before);
-  session.setDone(sumsOf(job, static_cast<std::uint64_t>(before.passes)));
+  Renderer renderer(job, scene, log_);
+  renderPasses(renderer, 0, 2);
+  const Checkpoint before = repeated({0, 2, blocksOf(renderer.state())}, 19);
+  restore(renderer.state(), before, "memory");
+  renderer.done() = sumsOf(job, static_cast<std::uint64_t>(before.passes));
   constexpr int kMore = 32;
-  renderPasses(session, before.passes, kMore);
-  const std::vector<FilmPixel> old = filmOf(before), grown = filmOf(session.save(before.passes + kMore, {}));
+  renderPasses(renderer, before.passes, kMore);
+  const std::vector<FilmPixel> old = filmOf(before), grown = filmOf({0, before.passes + kMore, blocksOf(renderer.state())});
   Moments added;
   for (std::size_t i = 0; i < old.size(); ++i)
     for (int c = 0; c < 3; ++c) added.add(static_cast<double>(grown[i].direct[c]) - static_cast<double>(old[i].direct[c]));
   EXPECT_TRUE(isWithin(0.01, added, static_cast<double>(0.1f) * 4 * kMore / 2));
-  EXPECT_TRUE(isConstant(session.resolveColor(), 0.1, 1e-5));
+  EXPECT_TRUE(isConstant(renderer.image(), 0.1, 1e-5));
 }
 
 Scene litRoom(int size) {
@@ -109,15 +105,14 @@ TEST_F(LongRenders, RandomNumbersDoNotComeAgain) {
   const std::vector<double> a(first.begin(), first.end()), b(later.begin(), later.end());
   EXPECT_TRUE(isWithin(0.05, ratiosOf(b, a), 1));
   const RenderJob photons = makeJob(Integrator::photon, 1);
-  RenderSession session(photons, scene, log_);
-  session.findImportance();
+  Renderer renderer(photons, scene, log_);
+  renderer.prepare();
   std::uint64_t counted = 0;
   const auto hitsOf = [&](int pass) {
-    session.setDone(sumsOf(photons, static_cast<std::uint64_t>(pass)));
-    session.shootPhotons(pass, kPartsOfPass);
-    session.countPass(pass);
-    const std::uint64_t hits = session.stats().global.hits - counted;
-    counted = session.stats().global.hits;
+    renderer.done() = sumsOf(photons, static_cast<std::uint64_t>(pass));
+    renderer.renderPass(pass, kPartsOfPass);
+    const std::uint64_t hits = renderer.stats().global.hits - counted;
+    counted = renderer.stats().global.hits;
     return hits;
   };
   EXPECT_NE(hitsOf(0), hitsOf(1 << 19));

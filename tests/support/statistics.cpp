@@ -8,7 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "support/special_functions.h"
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/students_t.hpp>
 
 namespace importon::test {
 namespace {
@@ -54,16 +55,12 @@ std::vector<Cell> pool(std::vector<Cell> cells, double leastExpected) {
 
 double twoSidedNormal(double z) { return std::erfc(std::abs(z) / std::numbers::sqrt2); }
 
-/// P(|T| >= |t|) of Student's distribution [DLMF 8.17; Abramowitz and Stegun 26.7.1].
-double twoSidedStudent(double t, double degreesOfFreedom) {
-  return regularizedBeta(0.5 * degreesOfFreedom, 0.5, degreesOfFreedom / (degreesOfFreedom + t * t));
+/// P(T >= t) of Student's distribution.
+double upperStudent(double t, double degreesOfFreedom) {
+  return boost::math::cdf(boost::math::complement(boost::math::students_t(degreesOfFreedom), t));
 }
 
-/// P(T >= t).
-double upperStudent(double t, double degreesOfFreedom) {
-  const double beyond = 0.5 * twoSidedStudent(t, degreesOfFreedom);
-  return t < 0 ? 1 - beyond : beyond;
-}
+double twoSidedStudent(double t, double degreesOfFreedom) { return 2 * upperStudent(std::abs(t), degreesOfFreedom); }
 
 TestResult exactComparison(bool isEqual) {
   return isEqual ? TestResult{0, 0, 1} : TestResult{std::numeric_limits<double>::infinity(), 0, 0};
@@ -156,7 +153,7 @@ TestResult chiSquareTest(std::span<const double> observed, std::span<const doubl
   }
   result.degreesOfFreedom = static_cast<double>(pooled.size()) - 1.0 - fittedParameters;
   if (result.degreesOfFreedom >= 1) {
-    result.pValue = regularizedGammaQ(0.5 * result.degreesOfFreedom, 0.5 * result.statistic);
+    result.pValue = chiSquareBeyond(result.statistic, result.degreesOfFreedom);
   }
   return result;
 }
@@ -229,13 +226,11 @@ Equivalence equivalenceTest(const Moments& a, const Moments& b, double margin) {
 
 double studentPoint(double significance, double degreesOfFreedom) {
   if (!(significance > 0 && significance < 0.5)) throw std::invalid_argument("studentPoint: needs 0 < significance < 0.5");
-  double low = 0, high = 1;
-  while (upperStudent(high, degreesOfFreedom) > significance) high *= 2;
-  for (int i = 0; i < 80; ++i) {
-    const double middle = 0.5 * (low + high);
-    (upperStudent(middle, degreesOfFreedom) > significance ? low : high) = middle;
-  }
-  return high;
+  return boost::math::quantile(boost::math::complement(boost::math::students_t(degreesOfFreedom), significance));
+}
+
+double chiSquareBeyond(double statistic, double degreesOfFreedom) {
+  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degreesOfFreedom), statistic));
 }
 
 double sidak(double significance, std::int64_t tests) {

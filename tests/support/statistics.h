@@ -81,6 +81,9 @@ struct Equivalence {
 /// The t that Student's distribution exceeds with the probability `significance`, which is in (0, 0.5).
 [[nodiscard]] double studentPoint(double significance, double degreesOfFreedom);
 
+/// The probability that a chi-square distributed value is beyond `statistic`.
+[[nodiscard]] double chiSquareBeyond(double statistic, double degreesOfFreedom);
+
 /// Significance of each of `tests` independent tests such that all hold with probability 1 - significance
 /// [Šidák 1967].
 [[nodiscard]] double sidak(double significance, std::int64_t tests);

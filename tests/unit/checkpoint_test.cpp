@@ -1,4 +1,4 @@
-#include "render/checkpoint.h"
+#include "render/resume/checkpoint.h"
 
 #include <gtest/gtest.h>
 

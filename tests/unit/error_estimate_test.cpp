@@ -1,4 +1,4 @@
-#include "render/error_estimate.h"
+#include "render/film/error_estimate.h"
 
 #include <gtest/gtest.h>
 

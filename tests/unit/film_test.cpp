@@ -1,4 +1,4 @@
-#include "render/film.h"
+#include "render/film/film.h"
 
 #include <gtest/gtest.h>
 

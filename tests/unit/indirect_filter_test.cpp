@@ -1,4 +1,4 @@
-#include "render/indirect_filter.h"
+#include "render/film/indirect_filter.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What a caustic adds to the light that is there besides, and how many of its photons that asks for.
-#include "render/light_share.h"
+#include "render/importance/light_share.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // How many photons a lookup is to have, from maps whose noise and bias are known.
-#include "render/lookup_choice.h"
+#include "render/camera/lookup_choice.h"
 
 #include <gtest/gtest.h>
 

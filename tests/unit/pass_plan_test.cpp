@@ -1,4 +1,4 @@
-#include "render/pass_plan.h"
+#include "render/plan/pass_plan.h"
 
 #include <gtest/gtest.h>
 

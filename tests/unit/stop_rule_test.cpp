@@ -1,4 +1,4 @@
-#include "render/stop_rule.h"
+#include "render/plan/stop_rule.h"
 
 #include <gtest/gtest.h>
 
@@ -146,7 +146,7 @@ TEST(StopRule, GoesOnAsIfNeverStopped) {
   StopRule first(jobOf({}, {}, 0.05), 1000, 0);
   for (const int passes : {4, 8, 16}) first.errorIs(passes, rootError(passes), 1);
   StopRule second(jobOf({}, {}, 0.05), 1000, 0);
-  second.resume(first.trend());
+  second.trend() = first.trend();
   for (int passes = 17; passes < 100; ++passes) EXPECT_EQ(first.wantsEstimate(passes), second.wantsEstimate(passes));
 }
 

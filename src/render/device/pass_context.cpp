@@ -1,0 +1,106 @@
+#include "render/device/pass_context.h"
+
+#include <cmath>
+#include <future>
+
+#include <fmt/format.h>
+
+#include "accel/bvh.h"
+#include "base/clock.h"
+
+namespace importon {
+namespace {
+
+/// Low word in x.
+uvec2 wordsOf(std::uint64_t n) { return {static_cast<uint>(n), static_cast<uint>(n >> 32)}; }
+
+/// Builds the BVH; a progress line when it takes long.
+Bvh buildSceneBvh(const Scene& scene, const RenderJob& job, Log& log, double& seconds) {
+  const Clock::time_point start = Clock::now();
+  const auto progress = [&](double fraction) {
+    if (secondsSince(start) > 1) log.progress(fmt::format("building the BVH: {:.0f} %", 100 * fraction));
+  };
+  Bvh bvh = buildBvh(scene.positions, scene.triangles, {job.threads, progress});
+  log.endProgress();
+  seconds = secondsSince(start);
+  return bvh;
+}
+
+void setPhotons(MapSettings& map, std::uint32_t perPass, const PassSums::Photons& before, bool isCounted) {
+  map.photonsPerPass = perPass;
+  map.firstPhoton = wordsOf(before.shot);
+  map.photonsCounted = 0;
+  if (before.counted == 0 || perPass == 0) return;
+  map.photonsCounted = static_cast<float>(static_cast<double>(before.counted + (isCounted ? perPass : 0)) / perPass);
+}
+
+}  // namespace
+
+struct PassContext::Loaded {
+  glm::ivec2 size;
+  FeatureSet features;
+  std::shared_ptr<LoadedDevice> device;
+  DeviceScene scene;
+};
+
+PassContext::Loaded PassContext::load(const RenderJob& j, const Scene& s, Log& l, PhaseSeconds& seconds,
+                                      const DeviceSource& source) {
+  Loaded loaded;
+  loaded.size = chooseSize(chooseCamera(s, j), j);
+  loaded.features = findFeatures(s, j);
+  // The device and its kernels come up while the tree is built.
+  auto loading = std::async(std::launch::async, [&] {
+    const Clock::time_point start = Clock::now();
+    loaded.device = source(loaded.features, j);
+    seconds.device = secondsSince(start);
+  });
+  const Bvh bvh = buildSceneBvh(s, j, l, seconds.bvh);
+  loading.get();
+  const Clock::time_point start = Clock::now();
+  loaded.scene = uploadScene(loaded.device->context, s, bvh);
+  seconds.device += secondsSince(start);
+  return loaded;
+}
+
+PassContext::PassContext(const RenderJob& j, const Scene& s, Log& l, RenderStats& st, const DeviceSource& source)
+    : PassContext(j, s, l, st, load(j, s, l, st.seconds, source)) {}
+
+PassContext::PassContext(const RenderJob& j, const Scene& s, Log& l, RenderStats& st, Loaded loaded)
+    : job(j),
+      scene(s),
+      log(l),
+      stats(st),
+      features(loaded.features),
+      device(std::move(loaded.device)),
+      deviceScene(std::move(loaded.scene)),
+      plan(planPasses(job, features, loaded.size, device->context.limits())),
+      now(plan.whole),
+      parameters(makeParameters(job, scene, plan, loaded.size)),
+      work(device->context, plan.workspace),
+      recorder(device->context) {
+  deviceScene.bind(work.table);
+}
+
+float PassContext::meanImportance() const {
+  return static_cast<float>(parameters.width) * static_cast<float>(parameters.height) / static_cast<float>(deviceScene.area);
+}
+
+void PassContext::setPass(int pass, const PassSums& before) {
+  parameters.pass = static_cast<uint>(pass);
+  parameters.densityScale = std::cbrt(static_cast<float>(pass + 1));  // r² shrinks as its inverse
+  parameters.firstSample = wordsOf(before.evenSamples + before.oddSamples);
+  for (const MapKind kind : kMapKinds)
+    setPhotons(parameters.*traitsOf(kind).settings, now.photonsFor(kind), before.of(kind), parameters.pass < kCountingPasses);
+}
+
+void PassContext::begin() {
+  upload();
+  recorder.fill(work.counters, 0);
+}
+
+void PassContext::beginPilot() {
+  setPass(0, {});
+  begin();
+}
+
+}  // namespace importon

@@ -1,0 +1,25 @@
+/// The scene and its BVH in device memory.
+#pragma once
+#include "accel/bvh.h"
+#include "gpu/buffer.h"
+#include "gpu/kernel.h"
+#include "scene/scene.h"
+#include "shared/render_data.h"
+
+namespace importon {
+
+struct DeviceScene {
+  gpu::Buffer bvh, vertices, triangles, materials, textures, texels, lights, lightAlias, lightOfTriangle, albedo;
+  gpu::Buffer environment, environmentAlias, lightTree;
+  double area = 0;  // m², of one side of all surfaces
+  /// Enters all buffers under their binding numbers.
+  void bind(gpu::BindingTable& table) const;
+};
+
+/// Uploads; throws DeviceError with need and limit if the device cannot hold it.
+[[nodiscard]] DeviceScene uploadScene(gpu::Context& context, const Scene& scene, const Bvh& bvh);
+
+/// Alias table over `weights` (at least one, none negative, a positive sum). [Vose 1991]
+[[nodiscard]] std::vector<LightAlias> makeAliasTable(const std::vector<double>& weights);
+
+}  // namespace importon

@@ -1,0 +1,116 @@
+#include "render/film/film.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "base/error.h"
+#include "fmt/format.h"
+#include "render/film/error_estimate.h"
+#include "render/film/indirect_filter.h"
+
+namespace importon {
+namespace {
+
+/// Bytes that a film may take. A CPU device shares the host's memory, of which drivers may name a part only as theirs.
+std::uint64_t memoryFor(const gpu::Limits& limits) {
+  if (!limits.isCpu) return limits.heapBytes;
+  const long pages = sysconf(_SC_PHYS_PAGES), pageBytes = sysconf(_SC_PAGESIZE);
+  return std::max(limits.heapBytes, static_cast<std::uint64_t>(std::max(pages, 0L)) * static_cast<std::uint64_t>(pageBytes));
+}
+
+}  // namespace
+
+Film::Film(gpu::Context& context, std::uint64_t pixels, std::uint64_t tilePixels) : pixels_(pixels) {
+  // A CPU device shares its memory with the host, which reads the film back and resolves it.
+  const std::uint64_t need = 2 * pixels * sizeof(FilmPixel) * (context.limits().isCpu ? 3 : 1);
+  const std::uint64_t memory = memoryFor(context.limits());
+  if (need > memory)
+    throw DeviceError(fmt::format("an image of {} pixels needs {} MiB of memory", pixels, need >> 20),
+                      fmt::format("{} has {} MiB", context.info().name, memory >> 20),
+                      "lower --width and --height");
+  for (std::uint64_t first = 0; first < pixels; first += tilePixels) {
+    const std::uint64_t count = std::min(tilePixels, pixels - first);
+    FilmTile tile{static_cast<uint>(first), static_cast<uint>(count),
+                  gpu::Buffer(context, "film", 2 * count * sizeof(FilmPixel))};
+    tile.pixels.upload(std::span<const FilmPixel>(std::vector<FilmPixel>(2 * count)));
+    tiles_.push_back(std::move(tile));
+  }
+}
+
+std::vector<FilmPixel> Film::download() const {
+  std::vector<FilmPixel> halves(2 * pixels_);
+  for (const FilmTile& tile : tiles_) {
+    const std::span<FilmPixel> even(halves.data() + tile.first, tile.count);
+    const std::span<FilmPixel> odd(halves.data() + pixels_ + tile.first, tile.count);
+    tile.pixels.downloadBytes(std::as_writable_bytes(even), 0);
+    tile.pixels.downloadBytes(std::as_writable_bytes(odd), tile.count * sizeof(FilmPixel));
+  }
+  return halves;
+}
+
+namespace {
+
+/// Light of both halves as means over their passes.
+struct HalfMeans {
+  std::vector<vec3> even, odd;
+};
+
+float inverse(float samples) { return samples > 0 ? 1 / samples : 0.0f; }
+
+HalfMeans indirectMeans(std::span<const FilmPixel> halves, const FilmReading& reading) {
+  const std::size_t pixels = halves.size() / 2;
+  if (reading.filtersIndirect && reading.counts.oddSamples > 0) {
+    FilteredIndirect filtered = filterIndirect(halves, reading.width, reading.counts, reading.threads);
+    return {std::move(filtered.even), std::move(filtered.odd)};
+  }
+  HalfMeans means{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
+  for (std::size_t i = 0; i < pixels; ++i) {
+    means.even[i] = halves[i].indirect * inverse(reading.counts.even(i));
+    means.odd[i] = halves[pixels + i].indirect * inverse(reading.counts.odd(i));
+  }
+  return means;
+}
+
+/// Of the mean of a half's paths.
+vec3 varianceOf(const FilmPixel& sums, float samples) {
+  if (samples < 2) return vec3(0);
+  const vec3 mean = (sums.direct + sums.caustic + sums.indirect) / samples;
+  return glm::max(sums.square / samples - mean * mean, vec3(0)) / (samples - 1);
+}
+
+}  // namespace
+
+FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& reading) {
+  const std::size_t pixels = halves.size() / 2;
+  const SampleCounts& counts = reading.counts;
+  const float share = counts.evenShare();
+  const auto mix = [share](const vec3& even, const vec3& odd) { return even * share + odd * (1 - share); };
+  HalfMeans means = indirectMeans(halves, reading);
+  HalfMeans raw{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
+  FilmLayers layers;
+  for (auto* layer : {&layers.total, &layers.direct, &layers.caustic, &layers.indirect, &layers.variance})
+    layer->resize(pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const FilmPixel &a = halves[i], &b = halves[pixels + i];
+    const float perEven = inverse(counts.even(i)), perOdd = inverse(counts.odd(i));
+    layers.direct[i] = mix(a.direct * perEven, b.direct * perOdd);
+    layers.caustic[i] = mix(a.caustic * perEven, b.caustic * perOdd);
+    layers.indirect[i] = mix(means.even[i], means.odd[i]);
+    layers.total[i] = layers.direct[i] + layers.caustic[i] + layers.indirect[i];
+    layers.variance[i] = varianceOf(a, counts.even(i)) * (share * share) + varianceOf(b, counts.odd(i)) * ((1 - share) * (1 - share));
+    raw.even[i] = (a.direct + a.caustic + a.indirect) * perEven;
+    raw.odd[i] = (b.direct + b.caustic + b.indirect) * perOdd;
+    means.even[i] += (a.direct + a.caustic) * perEven;
+    means.odd[i] += (b.direct + b.caustic) * perOdd;
+  }
+  layers.error.resize(pixels);
+  if (counts.oddSamples == 0) return layers;
+  ErrorEstimate estimate = estimateErrors({means.even, means.odd, share}, {raw.even, raw.odd, share}, reading.width);
+  layers.estimatedError = estimate.relative;
+  layers.error = std::move(estimate.perPixel);
+  return layers;
+}
+
+}  // namespace importon

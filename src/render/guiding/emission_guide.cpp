@@ -1,0 +1,101 @@
+#include "render/guiding/emission_guide.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "shared/bindings.h"
+#include "shared/push_data.h"
+
+namespace importon {
+namespace {
+
+constexpr std::size_t kMostCells = 1u << 18;
+
+std::vector<double> powersOf(const Scene& scene) {
+  std::vector<double> powers;
+  for (const Light& light : scene.lights) powers.push_back(light.power);
+  const double sum = std::accumulate(powers.begin(), powers.end(), 0.0);
+  for (double& power : powers) power /= sum;
+  return powers;
+}
+
+uint chooseBins(std::size_t lights, int most) {
+  int bins = most;
+  while (bins > 1 && lights * static_cast<std::size_t>(bins) * static_cast<std::size_t>(bins) > kMostCells) bins /= 2;
+  return static_cast<uint>(bins);
+}
+
+/// Shares summed up from 0; the last is 1.
+void sumUp(std::span<const double> shares, double total, std::vector<float>& out) {
+  double sum = 0;
+  out.push_back(0);
+  for (const double share : shares) {
+    sum += share;
+    out.push_back(static_cast<float>(std::min(sum / total, 1.0)));
+  }
+  out.back() = 1;
+}
+
+}  // namespace
+
+EmissionGuide::EmissionGuide(gpu::Context& context, const Scene& scene, MapKind kind, int bins, GuideWeight weight)
+    : kind_(kind),
+      bins_(chooseBins(scene.lights.size(), bins)),
+      stream_(kind == MapKind::global ? kStreamGlobalPhotons : kStreamCausticPhotons),
+      powers_(powersOf(scene)),
+      weight_(weight) {
+  const std::uint64_t rows = scene.lights.size() * bins_;
+  rows_ = gpu::Buffer(context, "guide rows", (rows + 1) * sizeof(float), gpu::TexelFormat::float1);
+  columns_ = gpu::Buffer(context, "guide columns", rows * (bins_ + 1) * sizeof(float), gpu::TexelFormat::float1);
+  const std::uint64_t cells = rows * bins_;
+  sums_ = gpu::makeBuffer(context, "guide sums", std::span<const uint>(std::vector<uint>(2 * cells)));
+  upload(chooseGuidePmf(std::vector<double>(cells), std::vector<double>(cells), powers_, static_cast<int>(bins_), weight_).cells);
+}
+
+void EmissionGuide::followDeficits(const Stage& stage, const ImportanceMap& importance, const Parameters& parameters,
+                                   float hitsPerPass) {
+  sites_.emplace(stage.gpu, kind_, importance, parameters);
+  sites_->count(stage);
+  hitsPerPass_ = hitsPerPass;
+}
+
+void EmissionGuide::train(const Stage& stage, const ImportanceMap& importance, float meanImportance) {
+  gpu::BindingTable table = stage.work.table;
+  importance.bind(table);
+  if (sites_) sites_->bind(table);
+  bind(table);
+  table.set(kBindingGuideSums, sums_);
+  overItems(stage, stage.kernels.guideLearn, table, kCounterSelected,
+            GuideLearnPush{kind_ == MapKind::global, stream_, bins_, meanImportance, hitsPerPass_,
+                           weight_ == GuideWeight::potential});
+}
+
+void EmissionGuide::update() {
+  const std::size_t cells = powers_.size() * bins_ * bins_;
+  const auto even = sums_.download<uint>(cells), odd = sums_.download<uint>(cells, cells * sizeof(uint));
+  const GuidePmf shares =
+      chooseGuidePmf({even.begin(), even.end()}, {odd.begin(), odd.end()}, powers_, static_cast<int>(bins_), weight_);
+  upload(shares.cells);
+  gain_ = shares.gain;
+  ++stream_;
+}
+
+void EmissionGuide::upload(const std::vector<double>& cells) {
+  std::vector<double> rowShares;
+  std::vector<float> rows, columns;
+  for (std::size_t first = 0; first < cells.size(); first += bins_) {
+    const std::span<const double> row(cells.data() + first, bins_);
+    rowShares.push_back(std::accumulate(row.begin(), row.end(), 0.0));
+    sumUp(row, rowShares.back(), columns);
+  }
+  sumUp(rowShares, std::accumulate(rowShares.begin(), rowShares.end(), 0.0), rows);
+  rows_.upload(std::span<const float>(rows));
+  columns_.upload(std::span<const float>(columns));
+}
+
+void EmissionGuide::bind(gpu::BindingTable& table) const {
+  table.set(kBindingGuideRows, rows_);
+  table.set(kBindingGuideColumns, columns_);
+}
+
+}  // namespace importon

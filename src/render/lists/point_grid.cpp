@@ -1,0 +1,53 @@
+#include "render/lists/point_grid.h"
+
+#include <algorithm>
+#include <bit>
+#include <string>
+
+#include "render/lists/lists.h"
+#include "shared/bindings.h"
+#include "shared/push_data.h"
+
+namespace importon {
+namespace {
+
+/// About one slot per point, as a power of two that sorts in few passes.
+std::uint64_t slotCount(std::uint64_t capacity) {
+  return std::clamp<std::uint64_t>(std::bit_ceil(capacity), 1u << 12, 1u << 20);
+}
+
+}  // namespace
+
+PointGrid::PointGrid(gpu::Context& context, const char* name, std::uint64_t capacity, std::uint64_t cellsFor)
+    : cells(context, std::string(name) + " cells", slotCount(cellsFor) * sizeof(uvec2), gpu::TexelFormat::uint2),
+      points(context, std::string(name) + " points", capacity * sizeof(MapPoint), gpu::TexelFormat::uint4),
+      order(context, std::string(name) + " order", capacity * sizeof(uint), gpu::TexelFormat::uint1),
+      slotMask(static_cast<uint>(slotCount(cellsFor) - 1)) {}
+
+uint PointGrid::slotBits() const { return static_cast<uint>(std::popcount(slotMask)); }
+
+void sortIntoCells(const Stage& stage, PointGrid& grid, uint source) {
+  const gpu::Buffer& sortedKeys = sortByKey(stage, source, grid.slotBits(), grid.order);
+  gpu::BindingTable table = stage.work.table;
+  table.set(kBindingKeysIn, sortedKeys);
+  table.set(kBindingCellsOut, grid.cells);
+  stage.recorder.fill(grid.cells, 0);
+  overItems(stage, stage.kernels.gridCells, table, source, GridCellsPush{source, grid.slotMask});
+}
+
+void buildGrid(const Stage& stage, PointGrid& grid, uint source, const gpu::Buffer& points) {
+  sortIntoCells(stage, grid, source);
+  gpu::BindingTable table = stage.work.table;
+  table.set(kBindingPoints, points);
+  table.set(kBindingValuesIn, grid.order);
+  table.set(kBindingPointsOut, grid.points);
+  overItems(stage, stage.kernels.gridPoints, table, source, GridPointsPush{source});
+}
+
+void bindStored(gpu::BindingTable& table, const PointGrid& grid) {
+  table.set(kBindingStoredCells, grid.cells);
+  table.set(kBindingStoredPoints, grid.points);
+  table.set(kBindingStoredOrder, grid.order);
+}
+
+}  // namespace importon

@@ -1,0 +1,24 @@
+/// The photons of a map in a grid in which the nearest ones are found at any density.
+#pragma once
+#include "render/photon_map/stored_photons.h"
+#include "shared/push_data.h"
+
+namespace importon {
+
+/// Every photon stands at each of some levels.
+class NearestGrid {
+ public:
+  /// Of all photons that kCounterStored counts, for lookups of the `nearest` ones. Waits for the device.
+  NearestGrid(const Stage& stage, const StoredPhotons& photons, uint nearest);
+  [[nodiscard]] bool isEmpty() const { return levels_ == 0; }
+  void bind(gpu::BindingTable& table) const;
+  [[nodiscard]] MapNearestPush push(uint source, MapKind kind) const { return {source, kind == MapKind::global, levels_, nearest_}; }
+  [[nodiscard]] std::uint64_t bytes() const { return grid_.bytes() + flux_.allocatedBytes(); }
+
+ private:
+  uint levels_ = 0, nearest_;
+  PointGrid grid_;
+  gpu::Buffer flux_;
+};
+
+}  // namespace importon

@@ -1,0 +1,92 @@
+#include "render/run_totals.h"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "render/features/features.h"
+#include "render/options/gather_source.h"
+#include "shared/ray_data.h"
+
+namespace importon {
+namespace {
+
+void addCounts(PhotonMapStats& stats, const PhotonMapCounts& counts, MapKind kind) {
+  stats.hits += counts.hits;
+  stats.stored += counts.stored;
+  stats.redistributed += counts.redistributed;
+  stats.fluxHits = counts.fluxHits;
+  stats.fluxMap = counts.fluxMap;
+  if (!counts.isEnergyExact)
+    throw std::logic_error(fmt::format("the {} map does not hold the power of its hits", traitsOf(kind).name));
+}
+
+void warnOfUnfinished(std::span<const uint> counters, Log& log) {
+  if (counters[kCounterTraceUnfinished] > 0)
+    log.warn("rays given up", fmt::format("{} rays were too long for this device", counters[kCounterTraceUnfinished]));
+  if (counters[kCounterLookupsUnfinished] > 0)
+    log.warn("lookups given up", fmt::format("{} lookups of the nearest photons were too long for this device",
+                                             counters[kCounterLookupsUnfinished]));
+}
+
+}  // namespace
+
+void RunTotals::addToDone(int pass) {
+  const PassSize& now = context_.now;
+  (pass % 2 == 0 ? done_.evenSamples : done_.oddSamples) += now.samples;
+  for (const MapKind kind : kMapKinds) {
+    done_.of(kind).shot += now.photonsFor(kind);
+    if (context_.parameters.pass < kCountingPasses) done_.of(kind).counted += now.photonsFor(kind);
+  }
+}
+
+void RunTotals::countPass(int pass, const PhotonSystem& caustic, const PhotonSystem& global, const SurfaceCache& cache) {
+  addToDone(pass);
+  RenderStats& stats = context_.stats;
+  const auto counters = context_.work.counters.download<uint>(kCounterCount);
+  stats.closestRays += sumOf(counters, kSumRaysClosest);
+  stats.shadowRays += sumOf(counters, kSumRaysShadow);
+  warnOfUnfinished(counters, context_.log);
+  const auto count = [&](const PhotonSystem& system, PhotonMapStats& map) {
+    if (!system.isUsed) return;
+    map.emitted += context_.now.photonsFor(system.kind);
+    if (system.map) addCounts(map, system.map->readCounts(context_.stage(), context_.parameters.fluxScale), system.kind);
+    else if (cache.isUsed()) cache.count(counters, map);
+  };
+  count(global, stats.global);
+  count(caustic, stats.caustic);
+  stats.photonsEmitted = stats.global.emitted + stats.caustic.emitted;
+}
+
+void RunTotals::finish(int passes, const PhotonSystem& caustic, const PhotonSystem& global, const SurfaceCache& cache) {
+  RenderStats& stats = context_.stats;
+  gpu::Context& gpu = context_.device->context;
+  stats.deviceName = gpu.info().name;
+  stats.deviceDriver = gpu.info().driver;
+  stats.deviceType = gpu.info().type;
+  stats.triangles = context_.scene.triangles.size();
+  stats.lights = context_.scene.lights.size();
+  for (const FeatureRow& row : describeFeatures(context_.scene, context_.job))
+    if (row.isModelled) stats.features.push_back(row.name);
+  stats.gatherFrom = gatherSourceName(context_.job);
+  stats.width = static_cast<int>(context_.parameters.width);
+  stats.height = static_cast<int>(context_.parameters.height);
+  stats.passes = passes;
+  stats.devicePeakBytes = gpu.peakBytes();
+  for (const std::string& message : gpu.takeValidationMessages()) context_.log.warn("validation", message);
+  stats.photonMapBytes = global.bytes() + caustic.bytes() + cache.bytes();
+  if (cache.isUsed()) addCounts(stats.global, cache.readFlux(), global.kind);
+  for (const gpu::KernelTime& t : context_.recorder.times()) stats.kernels.push_back({t.label, t.launches, t.milliseconds});
+}
+
+void RunTotals::addKept(std::vector<Kept>& state) {
+  RenderStats& stats = context_.stats;
+  state.push_back(keep("closest rays", stats.closestRays));
+  state.push_back(keep("shadow rays", stats.shadowRays));
+  state.push_back(keep("photons emitted", stats.photonsEmitted));
+  state.push_back(keep("caustic counts", stats.caustic));
+  state.push_back(keep("global counts", stats.global));
+  state.push_back(keep("passes done", done_));
+}
+
+}  // namespace importon
