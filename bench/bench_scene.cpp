@@ -100,7 +100,7 @@ double median(std::vector<double> values) {
 
 std::span<const char* const> benchSceneNames() {
   static constexpr std::array kNames{
-      "height_field", "cornell_box", "door_slit",   "rooms",         "ring",       "glass_ball",       "pool",
+      "height_field",  "cornell_box", "door_slit",   "rooms",       "ring",          "glass_ball", "pool",
       "glass_caustic", "cornell-box", "veach-bidir", "modern-hall", "water-caustic", "veach-ajar", "living-room-dense"};
   return kNames;
 }

@@ -1,6 +1,6 @@
 // What cutting long diagonal triangles brings to rays: the time with the cut tree over that with the whole one, of the
-// scenes as they are and turned so that their walls lie along no axis. The trees take turns. IMPORTON_BENCH_DEVICE as in
-// traversal_bench.cpp.
+// scenes as they are and turned so that their walls lie along no axis. The trees take turns. IMPORTON_BENCH_DEVICE as
+// in traversal_bench.cpp.
 #include <benchmark/benchmark.h>
 
 #include <array>

@@ -19,11 +19,11 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 
 RTCGeometry makeGeometry(RTCDevice device, const BenchScene& scene) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                            sizeof(vec3), scene.positions.size());
+  void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(vec3),
+                                            scene.positions.size());
   std::memcpy(positions, scene.positions.data(), scene.positions.size() * sizeof(vec3));
-  auto* indices = static_cast<uint*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint), scene.triangles.size()));
+  auto* indices = static_cast<uint*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                             3 * sizeof(uint), scene.triangles.size()));
   for (const Triangle& t : scene.triangles)
     for (const uint vertex : {t.v0, t.v1, t.v2}) *indices++ = vertex;
   rtcCommitGeometry(geometry);

@@ -29,8 +29,7 @@ RenderStats renderOnce(const Scene& scene, Integrator integrator, bool isFull) {
 
 void renderBox(benchmark::State& state, Integrator integrator, bool isFull) {
   Log log(Log::Verbosity::quiet);
-  const Scene scene =
-      loadGltf(std::filesystem::path(IMPORTON_SCENES) / "cornell_box" / "cornell_box.gltf", log);
+  const Scene scene = loadGltf(std::filesystem::path(IMPORTON_SCENES) / "cornell_box" / "cornell_box.gltf", log);
   for ([[maybe_unused]] auto _ : state) {
     const RenderStats stats = renderOnce(scene, integrator, isFull);
     double kernels = 0;
@@ -41,15 +40,9 @@ void renderBox(benchmark::State& state, Integrator integrator, bool isFull) {
   }
 }
 
-BENCHMARK_CAPTURE(renderBox, photon_minimal, Integrator::photon, false)
-    ->Unit(benchmark::kMillisecond)
-    ->Iterations(1);
-BENCHMARK_CAPTURE(renderBox, photon_full, Integrator::photon, true)
-    ->Unit(benchmark::kMillisecond)
-    ->Iterations(1);
-BENCHMARK_CAPTURE(renderBox, path_minimal, Integrator::path, false)
-    ->Unit(benchmark::kMillisecond)
-    ->Iterations(1);
+BENCHMARK_CAPTURE(renderBox, photon_minimal, Integrator::photon, false)->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK_CAPTURE(renderBox, photon_full, Integrator::photon, true)->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK_CAPTURE(renderBox, path_minimal, Integrator::path, false)->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK_CAPTURE(renderBox, path_full, Integrator::path, true)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 }  // namespace

@@ -21,8 +21,7 @@ Scene floorUnderLights(int count) {
   builder.square(builder.material(test::diffuse(vec3(0.7f))), {0, 0, 0}, {0, 1, 0}, 20);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> place(-9, 9), height(0.3, 2), side(-1, 1);
-  const uint materials[] = {builder.material(test::emitter(vec3(1.0f))),
-                            builder.material(test::emitter(vec3(30.0f)))};
+  const uint materials[] = {builder.material(test::emitter(vec3(1.0f))), builder.material(test::emitter(vec3(30.0f)))};
   const double size = 3 / std::sqrt(static_cast<double>(count));
   for (int i = 0; i < count; ++i) {
     const glm::dvec3 p(place(random), height(random), place(random));
@@ -59,8 +58,7 @@ void lights(benchmark::State& state) {
     const RenderResult result = renderDirect(scene, 8);
     for (const KernelStats& kernel : result.stats.kernels)
       if (kernel.label == "shade camera path") state.counters["shade_ms_per_pass"] = kernel.milliseconds / 8;
-    state.counters["relative_noise"] =
-        std::sqrt(8 * meanOf(result.image, "variance.R")) / meanOf(result.image, "R");
+    state.counters["relative_noise"] = std::sqrt(8 * meanOf(result.image, "variance.R")) / meanOf(result.image, "R");
   }
 }
 

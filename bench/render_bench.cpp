@@ -22,7 +22,9 @@ RenderStats renderOnce(const Scene& scene, int passes) {
   job.passes = passes;
   Log log(Log::Verbosity::quiet);
   const std::atomic<bool> isInterrupted = false;
-  return render(job, scene, log, isInterrupted, [](const RenderProgress&) {}, std::chrono::steady_clock::now()).stats;
+  return render(
+             job, scene, log, isInterrupted, [](const RenderProgress&) {}, std::chrono::steady_clock::now())
+      .stats;
 }
 
 void renderPasses(benchmark::State& state, const std::string& name) {
@@ -46,9 +48,9 @@ void renderPasses(benchmark::State& state, const std::string& name) {
 
 const int kRegistered = [] {
   for (const char* name : {"cornell_box", "door_slit", "rooms", "glass_caustic", "ring", "pool"})
-    benchmark::RegisterBenchmark((std::string("passes/") + name).c_str(),
-                                 [name](benchmark::State& state) { renderPasses(state, name); })
-        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark((std::string("passes/") + name).c_str(), [name](benchmark::State& state) {
+      renderPasses(state, name);
+    })->Unit(benchmark::kMillisecond);
   return 0;
 }();
 

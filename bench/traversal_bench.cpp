@@ -1,6 +1,6 @@
-// Rays per second of kernels/traversal/trace.comp on a million incoherent rays, or four million on a GPU, and on CPU devices the
-// ratio to Embree's, measured in turns. In the environment, IMPORTON_BENCH_DEVICE names the Vulkan device as --device
-// does, and IMPORTON_BENCH_WITHOUT_EMBREE leaves out the comparison.
+// Rays per second of kernels/traversal/trace.comp on a million incoherent rays, or four million on a GPU, and on CPU
+// devices the ratio to Embree's, measured in turns. In the environment, IMPORTON_BENCH_DEVICE names the Vulkan device
+// as --device does, and IMPORTON_BENCH_WITHOUT_EMBREE leaves out the comparison.
 #include <benchmark/benchmark.h>
 
 #include <chrono>

@@ -13,8 +13,7 @@ namespace importon {
 namespace {
 
 constexpr std::uint32_t kMaxBins = 32;
-constexpr std::uint32_t kParallelRange = 1u
-                                         << 15;  // primitives from which on one node is worked on in parallel
+constexpr std::uint32_t kParallelRange = 1u << 15;    // primitives from which on one node is worked on in parallel
 constexpr std::uint32_t kParallelSubtree = 1u << 11;  // primitives from which on children are separate tasks
 constexpr std::uint32_t kChunk = 1u << 12;            // primitives of a chunk in parallel partitioning
 // From this depth on nodes are halved, which at most kBvhIndexBits more levels take.
@@ -129,12 +128,11 @@ class Builder {
     Box left = Box::empty(), right = Box::empty();
   };
   [[nodiscard]] Split chooseSplit(const PrimitiveBox* begin, std::uint32_t count, const BinMap& map) const;
-  [[nodiscard]] Centres partition(const PrimitiveBox* from, PrimitiveBox* to, std::uint32_t count,
-                                  const Split& split, const BinMap& map) const;
+  [[nodiscard]] Centres partition(const PrimitiveBox* from, PrimitiveBox* to, std::uint32_t count, const Split& split,
+                                  const BinMap& map) const;
   [[nodiscard]] Centres partitionParallel(const PrimitiveBox* from, PrimitiveBox* to, std::uint32_t count,
                                           const Split& split, const BinMap& map) const;
-  [[nodiscard]] Centres halve(const PrimitiveBox* from, PrimitiveBox* to, std::uint32_t count,
-                              Split& split) const;
+  [[nodiscard]] Centres halve(const PrimitiveBox* from, PrimitiveBox* to, std::uint32_t count, Split& split) const;
   void noteCoincident(std::uint32_t count) const;
   void makeLeaf(BinaryNode& node, int source, std::uint32_t first, std::uint32_t count) const;
 
@@ -176,8 +174,8 @@ Split Builder::chooseSplit(const PrimitiveBox* begin, std::uint32_t count, const
 }
 
 /// Stable to the left, reversed to the right: a fixed order.
-Builder::Centres Builder::partition(const PrimitiveBox* from, PrimitiveBox* to, std::uint32_t count,
-                                    const Split& split, const BinMap& map) const {
+Builder::Centres Builder::partition(const PrimitiveBox* from, PrimitiveBox* to, std::uint32_t count, const Split& split,
+                                    const BinMap& map) const {
   Centres centres;
   PrimitiveBox* left = to;
   PrimitiveBox* right = to + count;
@@ -227,8 +225,7 @@ Builder::Centres Builder::partitionParallel(const PrimitiveBox* from, PrimitiveB
 }
 
 /// Where no plane separates the centres: the first half goes left.
-Builder::Centres Builder::halve(const PrimitiveBox* from, PrimitiveBox* to, std::uint32_t count,
-                                Split& split) const {
+Builder::Centres Builder::halve(const PrimitiveBox* from, PrimitiveBox* to, std::uint32_t count, Split& split) const {
   Centres centres;
   split.leftCount = count / 2;
   split.leftBox = split.rightBox = Box::empty();
@@ -254,8 +251,8 @@ void Builder::makeLeaf(BinaryNode& node, int source, std::uint32_t first, std::u
   std::sort(tree_.order.begin() + first, tree_.order.begin() + first + count);
 }
 
-void Builder::build(std::uint32_t nodeIndex, int source, std::uint32_t first, std::uint32_t count,
-                    const Box& box, const Box& centres, std::uint32_t depth) const {
+void Builder::build(std::uint32_t nodeIndex, int source, std::uint32_t first, std::uint32_t count, const Box& box,
+                    const Box& centres, std::uint32_t depth) const {
   BinaryNode& node = tree_.nodes[nodeIndex];
   for (int axis = 0; axis < 3; ++axis) {
     node.lo[axis] = box.lo[axis];
@@ -291,12 +288,9 @@ void Builder::build(std::uint32_t nodeIndex, int source, std::uint32_t first, st
     parts = partitionParallel(from, to, count, split, map);
 
   const std::uint32_t left = nodeIndex + 1, right = nodeIndex + 2 * split.leftCount;
-  const auto buildLeft = [&] {
-    build(left, 1 - source, first, split.leftCount, split.leftBox, parts.left, depth + 1);
-  };
+  const auto buildLeft = [&] { build(left, 1 - source, first, split.leftCount, split.leftBox, parts.left, depth + 1); };
   const auto buildRight = [&] {
-    build(right, 1 - source, first + split.leftCount, count - split.leftCount, split.rightBox, parts.right,
-          depth + 1);
+    build(right, 1 - source, first + split.leftCount, count - split.leftCount, split.rightBox, parts.right, depth + 1);
   };
   if (count < kParallelSubtree) {
     buildLeft();
@@ -310,8 +304,7 @@ void Builder::build(std::uint32_t nodeIndex, int source, std::uint32_t first, st
 
 }  // namespace
 
-BinaryTree buildBinaryTree(LargeVector<PrimitiveBox> boxes, const BinaryTreeOptions& options,
-                           BuildProgress& progress) {
+BinaryTree buildBinaryTree(LargeVector<PrimitiveBox> boxes, const BinaryTreeOptions& options, BuildProgress& progress) {
   const auto count = static_cast<std::uint32_t>(boxes.size());
   BinaryTree tree;
   tree.nodes.resize(2 * boxes.size());

@@ -25,9 +25,7 @@ static_assert(sizeof(BvhNode) == sizeof(BvhRecord) && sizeof(BvhTriangle) == siz
 
 [[nodiscard]] inline bool isLeaf(const BvhRecord& record) { return (record[11] & kBvhLeaf) != 0; }
 [[nodiscard]] inline BvhNode asNode(const BvhRecord& record) { return std::bit_cast<BvhNode>(record); }
-[[nodiscard]] inline BvhTriangle asTriangle(const BvhRecord& record) {
-  return std::bit_cast<BvhTriangle>(record);
-}
+[[nodiscard]] inline BvhTriangle asTriangle(const BvhRecord& record) { return std::bit_cast<BvhTriangle>(record); }
 
 struct Bvh {
   LargeVector<BvhRecord> nodes;  // nodes and triangles alike; the root first

@@ -25,8 +25,7 @@ Key makeKey(std::span<const vec3> positions, const Triangle& triangle) {
 
 }  // namespace
 
-std::vector<std::uint32_t> distinctTriangles(std::span<const vec3> positions,
-                                             std::span<const Triangle> triangles) {
+std::vector<std::uint32_t> distinctTriangles(std::span<const vec3> positions, std::span<const Triangle> triangles) {
   std::vector<Key> keys(triangles.size());
   std::transform(triangles.begin(), triangles.end(), keys.begin(),
                  [&](const Triangle& triangle) { return makeKey(positions, triangle); });
@@ -34,8 +33,8 @@ std::vector<std::uint32_t> distinctTriangles(std::span<const vec3> positions,
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t a, std::uint32_t b) { return keys[a] != keys[b] ? keys[a] < keys[b] : a < b; });
-  const auto end = std::unique(order.begin(), order.end(),
-                               [&](std::uint32_t a, std::uint32_t b) { return keys[a] == keys[b]; });
+  const auto end =
+      std::unique(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return keys[a] == keys[b]; });
   order.erase(end, order.end());
   std::sort(order.begin(), order.end());
   return order;

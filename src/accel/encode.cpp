@@ -120,8 +120,8 @@ class Encoder {
       const std::uint32_t triangle = binary_.order[leaf.first + i];
       const Triangle& indices = triangles_[triangle];
       const std::uint32_t next = i + 1 < leaf.count ? spare++ : 0;
-      records_[record] = makeBvhTriangle(
-          {positions_[indices.v0], positions_[indices.v1], positions_[indices.v2]}, triangle, next);
+      records_[record] =
+          makeBvhTriangle({positions_[indices.v0], positions_[indices.v1], positions_[indices.v2]}, triangle, next);
       record = next;
     }
     return spare;
@@ -175,8 +175,7 @@ BvhRecord makeBvhNode(std::span<const Box> children, std::uint32_t firstChild) {
 }
 
 Box childBox(const BvhNode& node, std::uint32_t slot) {
-  const std::array<std::uint32_t, 3> lows{node.lowX, node.lowY, node.lowZ},
-      highs{node.highX, node.highY, node.highZ};
+  const std::array<std::uint32_t, 3> lows{node.lowX, node.lowY, node.lowZ}, highs{node.highX, node.highY, node.highZ};
   Box box = Box::empty();
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
@@ -194,8 +193,8 @@ bool hasChild(const BvhNode& node, std::uint32_t slot) {
   return ((node.lowX >> (8 * slot)) & 255u) <= ((node.highX >> (8 * slot)) & 255u);
 }
 
-LargeVector<BvhRecord> encodeBvh(const BinaryTree& binary, const WideTree& wide,
-                                 std::span<const vec3> positions, std::span<const Triangle> triangles) {
+LargeVector<BvhRecord> encodeBvh(const BinaryTree& binary, const WideTree& wide, std::span<const vec3> positions,
+                                 std::span<const Triangle> triangles) {
   const std::uint32_t count = 1 + (wide.isLeaf(0) ? binary.nodes[0].count : wide.recordsBelow(0));
   if (count >= 1u << kBvhIndexBits)
     throw SceneError("too many triangles", "",

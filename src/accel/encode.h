@@ -23,7 +23,6 @@ namespace importon {
 /// Records in depth-first order: the children of a node, then the rest of its leaves' triangles, then what is
 /// below each child. Throws SceneError when there are too many for their indices.
 [[nodiscard]] LargeVector<BvhRecord> encodeBvh(const BinaryTree& binary, const WideTree& wide,
-                                               std::span<const vec3> positions,
-                                               std::span<const Triangle> triangles);
+                                               std::span<const vec3> positions, std::span<const Triangle> triangles);
 
 }  // namespace importon

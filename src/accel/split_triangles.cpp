@@ -186,8 +186,8 @@ LargeVector<PrimitiveBox> splitTriangles(LargeVector<PrimitiveBox> boxes, std::s
                                          std::span<const Triangle> triangles, const SplitOptions& options) {
   const Sums sums = sumUp(boxes);
   const std::size_t room = kMostParts - std::min(kMostParts, boxes.size());
-  const std::size_t most = std::min(room, static_cast<std::size_t>(static_cast<double>(options.mostParts) *
-                                                                   static_cast<double>(boxes.size())));
+  const std::size_t most = std::min(
+      room, static_cast<std::size_t>(static_cast<double>(options.mostParts) * static_cast<double>(boxes.size())));
   Splitter splitter(sums.scene, positions, triangles, options);
   for (const std::uint32_t index : largerThan(options.leastWaste * sums.scene.halfArea(), boxes)) {
     splitter.add(boxes[index], index);

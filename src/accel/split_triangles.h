@@ -22,8 +22,7 @@ struct SplitOptions {
 /// plane of those that halve the scene's box again and again. The same whatever the number of threads. [After
 /// Ernst, Greiner 2007, Early split clipping for bounding volume hierarchies; planes as Karras, Aila 2013, Fast
 /// parallel construction of high-quality bounding volume hierarchies, section 5]
-[[nodiscard]] LargeVector<PrimitiveBox> splitTriangles(LargeVector<PrimitiveBox> boxes,
-                                                       std::span<const vec3> positions,
+[[nodiscard]] LargeVector<PrimitiveBox> splitTriangles(LargeVector<PrimitiveBox> boxes, std::span<const vec3> positions,
                                                        std::span<const Triangle> triangles,
                                                        const SplitOptions& options);
 

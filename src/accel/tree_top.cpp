@@ -16,9 +16,7 @@ float unionHalfArea(Box a, const Box& b) {
 
 }  // namespace
 
-TreeTop::TreeTop(BinaryTree& tree, const TreeTopOptions& options) : tree_(tree), options_(options) {
-  takeNodes();
-}
+TreeTop::TreeTop(BinaryTree& tree, const TreeTopOptions& options) : tree_(tree), options_(options) { takeNodes(); }
 
 /// Opens the node of the largest box, again and again.
 void TreeTop::takeNodes() {
@@ -37,8 +35,7 @@ void TreeTop::takeNodes() {
     std::pop_heap(open.begin(), open.end());
     const std::uint32_t node = open.back().second, source = nodes_[node].source;
     open.pop_back();
-    const std::uint32_t left = take(tree_.leftChild(source), node),
-                        right = take(tree_.rightChild(source), node);
+    const std::uint32_t left = take(tree_.leftChild(source), node), right = take(tree_.rightChild(source), node);
     nodes_[node].left = left;
     nodes_[node].right = right;
   }
@@ -49,8 +46,7 @@ void TreeTop::improve() {
   std::vector<std::pair<float, std::uint32_t>> order;
   for (int round = 0; round < options_.rounds; ++round) {
     order.clear();
-    for (std::uint32_t node = 1; node < nodes_.size(); ++node)
-      order.emplace_back(-nodes_[node].box.halfArea(), node);
+    for (std::uint32_t node = 1; node < nodes_.size(); ++node) order.emplace_back(-nodes_[node].box.halfArea(), node);
     std::sort(order.begin(), order.end());
     for (const auto& [area, node] : order)
       if (nodes_[node].parent != 0) reinsert(node);

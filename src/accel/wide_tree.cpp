@@ -62,8 +62,7 @@ WideTree::Plan WideTree::planInner(std::uint32_t nodeIndex, const Plan& left, co
       leftSlots = l;
     }
     plan.costs[slots - 1] = best;
-    plan.records[slots - 1] =
-        std::min(left.records[leftSlots - 1] + right.records[slots - leftSlots - 1], kMaxRecords);
+    plan.records[slots - 1] = std::min(left.records[leftSlots - 1] + right.records[slots - leftSlots - 1], kMaxRecords);
     plan.depths[slots - 1] = std::max(left.depths[leftSlots - 1], right.depths[slots - leftSlots - 1]);
     choice.leftSlots[slots - 2] = static_cast<std::uint8_t>(leftSlots);
   }

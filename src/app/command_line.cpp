@@ -7,10 +7,10 @@
 
 #include "CLI/CLI.hpp"
 #include "app/converge_options.h"
-#include "base/value_checks.h"
 #include "app/render_options.h"
 #include "app/study_options.h"
 #include "base/error.h"
+#include "base/value_checks.h"
 
 namespace importon {
 namespace {
@@ -27,8 +27,8 @@ struct Parser {
   ConvergeOptions converge;
   StudyOptions study;
   MergeCommand merge;
-  CLI::App *renderApp = nullptr, *infoApp = nullptr, *compareApp = nullptr, *convergeApp = nullptr,
-           *studyApp = nullptr, *mergeApp = nullptr, *devicesApp = nullptr;
+  CLI::App *renderApp = nullptr, *infoApp = nullptr, *compareApp = nullptr, *convergeApp = nullptr, *studyApp = nullptr,
+           *mergeApp = nullptr, *devicesApp = nullptr;
 
   Parser();
   void addInfo();
@@ -80,14 +80,10 @@ void Parser::addCompare() {
   compareApp = app.add_subcommand(
       "compare", "print relMSE, trimmed relMSE, SMAPE, RMSE, mean ratio and FLIP of A.exr against REF.exr");
   compareApp->add_option("A.exr", compare.image, "the image")->required()->check(notEmpty())->type_name("");
-  compareApp->add_option("REF.exr", compare.reference, "the reference")
-      ->required()
-      ->check(notEmpty())
-      ->type_name("");
+  compareApp->add_option("REF.exr", compare.reference, "the reference")->required()->check(notEmpty())->type_name("");
   compareApp->add_flag("--json", compare.isJson, "as JSON");
   const auto addLayer = [&](const char* name, std::string& target, const char* of) {
-    compareApp
-        ->add_option(name, target, std::string("layer of ") + of + " (default: R, G, B, or the only colour)")
+    compareApp->add_option(name, target, std::string("layer of ") + of + " (default: R, G, B, or the only colour)")
         ->check(notEmpty())
         ->type_name("NAME");
   };
@@ -121,8 +117,7 @@ void Parser::addCompareLimits() {
   addLimit("--max-flip", compare.maxFlip, "FLIP");
   addLimit("--max-flip-hdr", compare.maxFlipHdr, "HDR-FLIP");
   compareApp
-      ->add_option("--floor", compare.floor,
-                   "absolute floor in the denominator of relMSE\n(default: 0.01·mean(R)²)")
+      ->add_option("--floor", compare.floor, "absolute floor in the denominator of relMSE\n(default: 0.01·mean(R)²)")
       ->check(notNegative(""))
       ->type_name("X");
 }
@@ -179,8 +174,7 @@ Command parseCommandLine(std::span<const std::string> arguments) {
   if (arguments.empty()) throw UsageError("no arguments", "command line", "see importon --help");
   Parser parser;
   std::vector<std::string> words = withCommand(arguments);
-  const std::string seeHelp =
-      "see importon " + (words.front().starts_with('-') ? "" : words.front() + " ") + "--help";
+  const std::string seeHelp = "see importon " + (words.front().starts_with('-') ? "" : words.front() + " ") + "--help";
   parser.render.job.commandLine.assign(arguments.begin(), arguments.end());
   std::reverse(words.begin(), words.end());  // CLI11 takes them from the end
   try {

@@ -14,7 +14,7 @@ namespace importon {
 
 struct RenderCommand {
   RenderJob job;
-  bool isTalk = false;  // --talk; its settings stand in the job
+  bool isTalk = false;                     // --talk; its settings stand in the job
   std::vector<std::string> photonOptions;  // names of the given options that mean nothing to the path tracer
   Log::Verbosity verbosity = Log::Verbosity::normal;
 };
@@ -27,7 +27,7 @@ struct InfoCommand {
 struct CompareCommand {
   std::filesystem::path image, reference;
   bool isJson = false;
-  std::string layer, referenceLayer;  // empty: the colour that there is
+  std::string layer, referenceLayer;    // empty: the colour that there is
   std::filesystem::path diff, diffPng;  // empty: none
   std::optional<double> maxRelmse, maxFlip, maxFlipHdr;
   std::optional<double> floor;  // absolute, in the denominator of relMSE

@@ -16,8 +16,7 @@ std::string asText(const Comparison& result) {
       "relmse          {:.6g}\nrelmse_trimmed  {:.6g}\nsmape           {:.6g}\nrmse            {:.6g}\n"
       "mean_ratio      {:.6g}\nflip            {:.6g} (LDR-FLIP, tone-mapped by the reference)\n"
       "flip_hdr        {:.6g} (HDR-FLIP)\n",
-      result.relmse, result.relmseTrimmed, result.smape, result.rmse, result.meanRatio, result.flip,
-      result.flipHdr);
+      result.relmse, result.relmseTrimmed, result.smape, result.rmse, result.meanRatio, result.flip, result.flipHdr);
   if (result.nonFinitePixels > 0) text += fmt::format("non-finite pixels: {}\n", result.nonFinitePixels);
   return text;
 }

@@ -44,11 +44,10 @@ ExitStatus runConverge(const ConvergeCommand& command, const std::atomic<bool>& 
   for (const NamedJob& config : command.configs) plan.configs.push_back({config.name, config.options, config.job});
 
   const auto tell = [&log](const std::string& line) { log.note(line); };
-  const ConvergeReport report =
-      converge(plan, scene, reference, command.reference.string(), log, isInterrupted, tell);
-  const ConvergeTitle title{IMPORTON_VERSION, command.scene.filename().string(),
-                            command.reference.filename().string(), command.seeds, command.times,
-                            referenceError(command, reference)};
+  const ConvergeReport report = converge(plan, scene, reference, command.reference.string(), log, isInterrupted, tell);
+  const ConvergeTitle title{
+      IMPORTON_VERSION, command.scene.filename().string(), command.reference.filename().string(), command.seeds,
+      command.times,    referenceError(command, reference)};
   writeTextFile(command.folder / kFiles[0], convergeJson(title, report));
   writeTextFile(command.folder / kFiles[1], convergeCsv(report));
   writeTextFile(command.folder / kFiles[2], convergePage(title, report, reference));

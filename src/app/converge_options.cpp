@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "app/named_job.h"
-#include "base/value_checks.h"
 #include "base/error.h"
+#include "base/value_checks.h"
 #include "fmt/format.h"
 
 namespace importon {
@@ -74,8 +74,7 @@ void addConvergeOptions(CLI::App& app, ConvergeOptions& options) {
          [&options](const std::string& list) { options.names = splitNames(list, knownNames(), "--configs"); },
          fmt::format("configurations, comma separated (default: {}), of{}", kDefaultNames, known))
       ->type_name("LIST");
-  app.add_option("--config", options.custom,
-                 "a further one: a name and options of render, may come\nseveral times")
+  app.add_option("--config", options.custom, "a further one: a name and options of render, may come\nseveral times")
       ->type_name("\"NAME=OPTIONS\"")
       ->expected(1)
       ->take_all();
@@ -96,8 +95,8 @@ void addConvergeOptions(CLI::App& app, ConvergeOptions& options) {
 }
 
 ConvergeCommand makeConvergeCommand(const ConvergeOptions& options, const std::vector<std::string>& common) {
-  ConvergeCommand command{options.scene, options.reference, options.folder, {}, options.times, options.seeds,
-                          options.referenceError, {}};
+  ConvergeCommand command{options.scene, options.reference, options.folder,         {},
+                          options.times, options.seeds,     options.referenceError, {}};
   for (const std::string& name : options.names)
     command.configs.push_back(makeNamedJob(name, optionsOf(name), options.scene, common));
   for (const std::string& text : options.custom) command.configs.push_back(parseNamedJob(text, options.scene, common));

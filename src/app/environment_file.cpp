@@ -18,8 +18,7 @@ std::optional<EnvironmentMap> readEnvironmentFile(const std::filesystem::path& f
   for (std::size_t c = 0; c < channels.size(); ++c) {
     if (channels[c] == nullptr)
       throw SceneError("the environment map has no channels R, G and B", file.string(), "give an RGB image");
-    for (std::size_t i = 0; i < map.texels.size(); ++i)
-      map.texels[i][static_cast<int>(c)] = channels[c]->values[i];
+    for (std::size_t i = 0; i < map.texels.size(); ++i) map.texels[i][static_cast<int>(c)] = channels[c]->values[i];
   }
   checkEnvironment(map, file.string());
   return map;

@@ -17,7 +17,7 @@ std::vector<std::string> wordsOf(const std::string& text) {
 }  // namespace
 
 NamedJob makeNamedJob(const std::string& name, const std::string& options, const std::filesystem::path& scene,
-                    const std::vector<std::string>& common) {
+                      const std::vector<std::string>& common) {
   std::vector<std::string> words{"render", scene.string(), "-o", "unused.exr"};
   words.insert(words.end(), common.begin(), common.end());
   const std::vector<std::string> own = wordsOf(options);

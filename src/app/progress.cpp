@@ -36,8 +36,7 @@ std::string progressLine(const RenderProgress& progress) {
   std::string line = fmt::format("pass {}", progress.pass);
   if (progress.passes > 0) line += fmt::format("/{}", progress.passes);
   line += "  " + duration(progress.seconds);
-  if (progress.photonsPerSecond > 0)
-    line += fmt::format("  {}photons/s", threeDigits(progress.photonsPerSecond));
+  if (progress.photonsPerSecond > 0) line += fmt::format("  {}photons/s", threeDigits(progress.photonsPerSecond));
   if (progress.raysPerSecond > 0) line += fmt::format("  {}rays/s", threeDigits(progress.raysPerSecond));
   if (progress.error >= 0) line += "  error " + percent(progress.error);
   if (progress.error >= 0 && progress.target >= 0) line += " of " + percent(progress.target);

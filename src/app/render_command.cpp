@@ -11,8 +11,8 @@
 #include "io/image.h"
 #include "io/output_file.h"
 #include "render/options/gather_source.h"
-#include "render/resume/job_fingerprint.h"
 #include "render/render.h"
+#include "render/resume/job_fingerprint.h"
 #include "scene/gltf_loader.h"
 
 namespace importon {
@@ -26,8 +26,7 @@ void checkOutputs(const RenderJob& job) {
 
 void warnOfUnusedOptions(const RenderCommand& command, Log& log) {
   if (command.job.integrator != Integrator::path || command.photonOptions.empty()) return;
-  log.warn("unused option",
-           fmt::format("the path tracer has no use for {}", fmt::join(command.photonOptions, ", ")));
+  log.warn("unused option", fmt::format("the path tracer has no use for {}", fmt::join(command.photonOptions, ", ")));
 }
 
 void tellGatherSource(const RenderJob& job, Log& log) {
@@ -68,8 +67,7 @@ void writeOutputs(const RenderJob& job, const Scene& scene, const Log& log, Rend
 
 }  // namespace
 
-ExitStatus runRender(const RenderCommand& command, const std::atomic<bool>& isInterrupted,
-                     Clock::time_point start) {
+ExitStatus runRender(const RenderCommand& command, const std::atomic<bool>& isInterrupted, Clock::time_point start) {
   const RenderJob& job = command.job;
   checkOutputs(job);
   Log log(command.verbosity);

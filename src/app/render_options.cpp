@@ -15,12 +15,12 @@ namespace {
 std::string headingAsText(OptionGroup group) { return std::string(headingOf(group)); }
 
 void addRow(CLI::App& app, const OptionRow& row, RenderJob& job, const std::string& group) {
-  CLI::Option* option =
-      row.type.empty()
-          ? app.add_flag_callback(row.names, [&row, &job] { row.set(job, {}); }, row.help)
-          : app.add_option_function<std::string>(row.names, [&row, &job](const std::string& text) { row.set(job, text); },
-                                                 row.help)
-                ->type_name(row.type);
+  CLI::Option* option = row.type.empty()
+                            ? app.add_flag_callback(
+                                  row.names, [&row, &job] { row.set(job, {}); }, row.help)
+                            : app.add_option_function<std::string>(
+                                     row.names, [&row, &job](const std::string& text) { row.set(job, text); }, row.help)
+                                  ->type_name(row.type);
   if (row.check) option->check(row.check);
   if (row.isRequired) option->required();
   option->group(group);
@@ -39,8 +39,12 @@ void addMessageOptions(CLI::App& app, RenderCommand& command) {
     command.verbosity = verbosity;
   };
   const std::string group = headingAsText(OptionGroup::checks);
-  app.add_flag_callback("-q,--quiet", [=] { set(Log::Verbosity::quiet); }, "warnings and errors only")->group(group);
-  app.add_flag_callback("-v,--verbose", [=] { set(Log::Verbosity::verbose); }, "say more")->group(group);
+  app.add_flag_callback(
+         "-q,--quiet", [=] { set(Log::Verbosity::quiet); }, "warnings and errors only")
+      ->group(group);
+  app.add_flag_callback(
+         "-v,--verbose", [=] { set(Log::Verbosity::verbose); }, "say more")
+      ->group(group);
 }
 
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
@@ -69,8 +73,10 @@ void checkGatherSource(const RenderCommand& command) {
 
 void checkFiles(const RenderJob& job) {
   using Named = std::pair<const char*, const std::filesystem::path*>;
-  const std::array<Named, 7> files{Named{"SCENE", &job.scene}, Named{"--output", &job.output},
-                                   Named{"--png", &job.png}, Named{"--stats", &job.stats},
+  const std::array<Named, 7> files{Named{"SCENE", &job.scene},
+                                   Named{"--output", &job.output},
+                                   Named{"--png", &job.png},
+                                   Named{"--stats", &job.stats},
                                    Named{"--reference", &job.reference},
                                    Named{"--checkpoint", &job.checkpoint},
                                    Named{"--environment", &job.environment}};
@@ -99,7 +105,8 @@ void applyTalk(const CLI::App& app, RenderJob& job) {
 
 bool isEveryday(const CLI::Option& option) {
   constexpr std::array kOwn{"SCENE", "--help", "--help-all", "--quiet", "--verbose"};
-  const std::string name = option.get_name(), bare = option.get_lnames().empty() ? name : "--" + option.get_lnames().front();
+  const std::string name = option.get_name(),
+                    bare = option.get_lnames().empty() ? name : "--" + option.get_lnames().front();
   if (std::ranges::find(kOwn, bare) != kOwn.end()) return true;
   return std::ranges::any_of(optionTable(), [&](const OptionRow& row) { return row.name() == bare && row.isEveryday; });
 }
@@ -109,10 +116,7 @@ bool isEveryday(const CLI::Option& option) {
 void addOutsideFilesFlag(CLI::App& app, RenderJob& job) { addRow(app, rowOf("--allow-outside-files"), job, "Options"); }
 
 void addRenderOptions(CLI::App& app, RenderCommand& command) {
-  app.add_option("SCENE", command.job.scene, "the scene, .gltf or .glb")
-      ->required()
-      ->check(notEmpty())
-      ->type_name("");
+  app.add_option("SCENE", command.job.scene, "the scene, .gltf or .glb")->required()->check(notEmpty())->type_name("");
   for (const OptionRow& row : optionTable()) addRow(app, row, command.job, headingAsText(row.group));
   app.add_flag("--talk", command.isTalk, "all settings of the talk and its author's program, where no\nother is given")
       ->group(headingAsText(OptionGroup::talk));

@@ -13,14 +13,10 @@ namespace {
 /// One call operator for each command.
 struct Runner {
   std::chrono::steady_clock::time_point start;
-  ExitStatus operator()(const RenderCommand& command) const {
-    return runRender(command, watchForInterrupt(), start);
-  }
+  ExitStatus operator()(const RenderCommand& command) const { return runRender(command, watchForInterrupt(), start); }
   ExitStatus operator()(const InfoCommand& command) const { return runInfo(command); }
   ExitStatus operator()(const CompareCommand& command) const { return runCompare(command); }
-  ExitStatus operator()(const ConvergeCommand& command) const {
-    return runConverge(command, watchForInterrupt());
-  }
+  ExitStatus operator()(const ConvergeCommand& command) const { return runConverge(command, watchForInterrupt()); }
   ExitStatus operator()(const StudyCommand& command) const { return runStudy(command, watchForInterrupt()); }
   ExitStatus operator()(const MergeCommand& command) const { return runMerge(command); }
   ExitStatus operator()(const DevicesCommand&) const { return runDevices(); }

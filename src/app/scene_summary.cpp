@@ -33,8 +33,7 @@ std::string cameraText(const Camera& camera) {
   } else {
     text += fmt::format(", perspective, {:.1f} degrees high", glm::degrees(camera.yfov));
   }
-  if (camera.width > 0 && camera.height > 0)
-    text += fmt::format(", {} x {} pixels", camera.width, camera.height);
+  if (camera.width > 0 && camera.height > 0) text += fmt::format(", {} x {} pixels", camera.width, camera.height);
   return text;
 }
 
@@ -66,8 +65,8 @@ std::string summaryText(const Scene& scene, std::span<const FeatureRow> features
   std::string text = fmt::format("scene      {}\n", scene.file.string());
   text += fmt::format("triangles  {} ({} vertices)\n", scene.triangles.size(), scene.positions.size());
   text += fmt::format("materials  {}, textures {}\n", scene.materials.size(), scene.textures.size());
-  text += fmt::format("bounds     {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} {:.6g} m\n", low.x, low.y, low.z,
-                      high.x, high.y, high.z);
+  text += fmt::format("bounds     {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} {:.6g} m\n", low.x, low.y, low.z, high.x,
+                      high.y, high.z);
   text += fmt::format("lights     {}", scene.lights.size());
   for (const LightKind& light : kLightKinds) {
     const std::size_t count = countLights(scene, light.kind);

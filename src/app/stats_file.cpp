@@ -27,12 +27,9 @@ Json kernelsJson(const std::vector<KernelStats>& kernels) {
 }
 
 Json mapJson(const PhotonMapStats& map) {
-  return {{"emitted", map.emitted},
-          {"hits", map.hits},
-          {"stored", map.stored},
-          {"redistributed", map.redistributed},
-          {"flux_hits", map.fluxHits},
-          {"flux_map", map.fluxMap}};
+  return {{"emitted", map.emitted},    {"hits", map.hits},
+          {"stored", map.stored},      {"redistributed", map.redistributed},
+          {"flux_hits", map.fluxHits}, {"flux_map", map.fluxMap}};
 }
 
 Json errorJson(const ErrorStats& error) {
@@ -78,9 +75,8 @@ std::string statsJson(const RenderJob& job, const RenderStats& stats, std::span<
   root["seconds"] = secondsJson(stats.seconds);
   root["kernels"] = kernelsJson(stats.kernels);
   root["rays"] = {{"closest", stats.closestRays}, {"shadow", stats.shadowRays}};
-  root["importons"] = {{"emitted", stats.importonsEmitted},
-                       {"caustic", stats.importonsCaustic},
-                       {"global", stats.importonsGlobal}};
+  root["importons"] = {
+      {"emitted", stats.importonsEmitted}, {"caustic", stats.importonsCaustic}, {"global", stats.importonsGlobal}};
   root["photons"] = {{"emitted", stats.photonsEmitted},
                      {"pilot", stats.photonsPilot},
                      {"caustic", mapJson(stats.caustic)},

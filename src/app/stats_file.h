@@ -11,7 +11,6 @@ namespace importon {
 
 /// The statistics of a render as JSON text, with the names of the command line contract. What is not finite
 /// becomes null.
-[[nodiscard]] std::string statsJson(const RenderJob& job, const RenderStats& stats,
-                                    std::span<const Warning> warnings);
+[[nodiscard]] std::string statsJson(const RenderJob& job, const RenderStats& stats, std::span<const Warning> warnings);
 
 }  // namespace importon

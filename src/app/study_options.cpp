@@ -15,11 +15,12 @@ struct StudyRender {
 };
 
 // The first one is what the others are held against.
-constexpr std::array kRenders{StudyRender{"standard", "--control off --gather-from photons"},
-                              StudyRender{"importance-driven", "--control density --gather-from photons"},
-                              StudyRender{"by differentials", "--control density --importance differentials"},
-                              StudyRender{"by probability", "--control probability"},
-                              StudyRender{"by probability with a floor", "--control probability --probability-floor 0.1"}};
+constexpr std::array kRenders{
+    StudyRender{"standard", "--control off --gather-from photons"},
+    StudyRender{"importance-driven", "--control density --gather-from photons"},
+    StudyRender{"by differentials", "--control density --importance differentials"},
+    StudyRender{"by probability", "--control probability"},
+    StudyRender{"by probability with a floor", "--control probability --probability-floor 0.1"}};
 
 bool saysWhenToStop(const std::string& word) {
   constexpr std::array kOptions{"--passes", "--time", "--error"};
@@ -36,8 +37,9 @@ void addStudyOptions(CLI::App& app, StudyOptions& options) {
       ->type_name("DIR");
   std::string known;
   for (const StudyRender& render : kRenders) known += fmt::format("\n{}: {}", render.name, render.options);
-  app.add_option("--config", options.custom,
-                 fmt::format("a way to render beside these, a name and options of render;\nmay come several times:{}", known))
+  app.add_option(
+         "--config", options.custom,
+         fmt::format("a way to render beside these, a name and options of render;\nmay come several times:{}", known))
       ->type_name("\"NAME=OPTIONS\"")
       ->expected(1)
       ->take_all();

@@ -6,15 +6,7 @@
 namespace importon {
 
 /// Exit statuses of the command line contract.
-enum class ExitStatus {
-  ok = 0,
-  usage = 1,
-  scene = 2,
-  device = 3,
-  output = 4,
-  limitExceeded = 5,
-  interrupted = 130
-};
+enum class ExitStatus { ok = 0, usage = 1, scene = 2, device = 3, output = 4, limitExceeded = 5, interrupted = 130 };
 
 /// An error with its three parts and the exit status it leads to. `where` may be empty.
 class Error : public std::runtime_error {

@@ -35,9 +35,7 @@ class ContentHash {
     return word;
   }
   // Multiplying only carries bits upwards; the rotation brings the upper ones back down.
-  void addWord(std::uint64_t word) {
-    state_ = std::rotl((state_ ^ word) * 0x100000001b3u, 29) * 0x9e3779b97f4a7c15u;
-  }
+  void addWord(std::uint64_t word) { state_ = std::rotl((state_ ^ word) * 0x100000001b3u, 29) * 0x9e3779b97f4a7c15u; }
 
   std::uint64_t state_ = 0xcbf29ce484222325u;
 };

@@ -69,8 +69,7 @@ std::vector<std::string> splitNames(const std::string& list, const std::vector<s
                        fmt::format("choose among {}", fmt::join(known, ", ")));
     }
     if (std::find(names.begin(), names.end(), name) != names.end()) {
-      throw UsageError(fmt::format("{}: {} is there twice", option, name), "command line",
-                       "name each one once");
+      throw UsageError(fmt::format("{}: {} is there twice", option, name), "command line", "name each one once");
     }
     names.push_back(name);
     begin = end + 1;

@@ -29,8 +29,7 @@ using ValueCheck = std::function<std::string(const std::string& value)>;
 [[nodiscard]] ValueCheck oneOf(const std::vector<std::string>& names);
 
 /// Cuts "a,b,c". Throws UsageError on names that are empty, twice there, or not among `known`, which it lists.
-[[nodiscard]] std::vector<std::string> splitNames(const std::string& list,
-                                                  const std::vector<std::string>& known,
+[[nodiscard]] std::vector<std::string> splitNames(const std::string& list, const std::vector<std::string>& known,
                                                   const std::string& option);
 
 }  // namespace importon

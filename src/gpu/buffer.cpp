@@ -40,17 +40,16 @@ TexelInfo texelInfo(TexelFormat texels) {
 
 std::string mebibytes(std::uint64_t bytes) { return std::to_string((bytes + (1u << 20) - 1) >> 20) + " MiB"; }
 
-void refuse(const std::string& limitName, const std::string& need, const std::string& limit,
-            const std::string& name) {
-  throw DeviceError("buffer '" + name + "' needs " + need + ", but the device's " + limitName + " is " + limit,
-                    name, "lower --memory or the image size, use a smaller scene, or choose another --device");
+void refuse(const std::string& limitName, const std::string& need, const std::string& limit, const std::string& name) {
+  throw DeviceError("buffer '" + name + "' needs " + need + ", but the device's " + limitName + " is " + limit, name,
+                    "lower --memory or the image size, use a smaller scene, or choose another --device");
 }
 
 void checkLimits(const Limits& limits, const std::string& name, std::uint64_t bytes, TexelFormat texels) {
   const std::uint64_t most = std::min(limits.maxAllocation, limits.heapBytes);
   if (bytes > most) {
-    refuse(limits.maxAllocation < limits.heapBytes ? "largest allocation" : "memory", mebibytes(bytes),
-           mebibytes(most), name);
+    refuse(limits.maxAllocation < limits.heapBytes ? "largest allocation" : "memory", mebibytes(bytes), mebibytes(most),
+           name);
   }
   if (texels == TexelFormat::none) return;
   const std::uint64_t elements = bytes / texelInfo(texels).bytes;
@@ -60,9 +59,9 @@ void checkLimits(const Limits& limits, const std::string& name, std::uint64_t by
   }
 }
 
-/// Bytes to give a texel buffer at the end. Mesa's CPU driver compiles a kernel anew for each pattern of texel buffers whose
-/// sizes are powers of two, and of those that have bits 8 to 15 of it zero, which it takes for a number of mip levels: none
-/// is, and none has.
+/// Bytes to give a texel buffer at the end. Mesa's CPU driver compiles a kernel anew for each pattern of texel buffers
+/// whose sizes are powers of two, and of those that have bits 8 to 15 of it zero, which it takes for a number of mip
+/// levels: none is, and none has.
 std::uint64_t paddingOf(std::uint64_t bytes) {
   std::uint64_t padded = bytes;
   if (((padded >> 8) & 255) == 0) padded += 256;
@@ -79,8 +78,7 @@ BufferHandle createBuffer(Device& device, const std::string& name, std::uint64_t
                VK_BUFFER_USAGE_TRANSFER_DST_BIT;
   if (texels != TexelFormat::none) info.usage |= VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
   VkBuffer buffer = VK_NULL_HANDLE;
-  check(vkCreateBuffer(device.handle(), &info, nullptr, &buffer), "create buffer '" + name + "'",
-        device.info().name);
+  check(vkCreateBuffer(device.handle(), &info, nullptr, &buffer), "create buffer '" + name + "'", device.info().name);
   device.setDebugName(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<std::uint64_t>(buffer), name);
   return {device.handle(), buffer};
 }
@@ -90,21 +88,18 @@ void allocateMemory(Buffer::Impl& impl, const std::string& name) {
   Device& device = *impl.device;
   VkMemoryRequirements needs{};
   vkGetBufferMemoryRequirements(device.handle(), impl.buffer.get(), &needs);
-  constexpr VkMemoryPropertyFlags kHost = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
-                                          VK_MEMORY_PROPERTY_HOST_COHERENT_BIT |
-                                          VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
-  const auto type = device.memoryType(needs.memoryTypeBits, device.mapsBuffers() ? kHost : 0,
-                                      VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+  constexpr VkMemoryPropertyFlags kHost =
+      VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
+  const auto type =
+      device.memoryType(needs.memoryTypeBits, device.mapsBuffers() ? kHost : 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
   if (!type)
-    throw DeviceError("no memory type suits buffer '" + name + "'", device.info().name,
-                      "choose another --device");
+    throw DeviceError("no memory type suits buffer '" + name + "'", device.info().name, "choose another --device");
   VkMemoryAllocateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
   info.allocationSize = needs.size;
   info.memoryTypeIndex = *type;
   const std::string doing = "allocate " + mebibytes(needs.size) + " for buffer '" + name + "' besides " +
-                            mebibytes(device.allocatedBytes()) + " in use, of " +
-                            mebibytes(device.limits().heapBytes);
+                            mebibytes(device.allocatedBytes()) + " in use, of " + mebibytes(device.limits().heapBytes);
   VkDeviceMemory memory = VK_NULL_HANDLE;
   check(vkAllocateMemory(device.handle(), &info, nullptr, &memory), doing, device.info().name);
   impl.memory = {device.handle(), memory};
@@ -124,16 +119,16 @@ BufferViewHandle createView(Device& device, const std::string& name, VkBuffer bu
   info.format = texelInfo(texels).format;
   info.range = VK_WHOLE_SIZE;
   VkBufferView view = VK_NULL_HANDLE;
-  check(vkCreateBufferView(device.handle(), &info, nullptr, &view),
-        "create a texel view of buffer '" + name + "'", device.info().name);
+  check(vkCreateBufferView(device.handle(), &info, nullptr, &view), "create a texel view of buffer '" + name + "'",
+        device.info().name);
   return {device.handle(), view};
 }
 
 void checkRange(const Buffer& buffer, std::uint64_t offset, std::uint64_t bytes) {
   if (offset > buffer.bytes() || bytes > buffer.bytes() - offset) {
     throw std::logic_error("transfer of " + std::to_string(bytes) + " bytes at " + std::to_string(offset) +
-                           " passes the end of buffer '" + buffer.name() + "' of " +
-                           std::to_string(buffer.bytes()) + " bytes");
+                           " passes the end of buffer '" + buffer.name() + "' of " + std::to_string(buffer.bytes()) +
+                           " bytes");
   }
 }
 

@@ -11,8 +11,7 @@ CommandPoolHandle createCommandPool(Device& device) {
   info.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
   info.queueFamilyIndex = device.queueFamily();
   VkCommandPool pool = VK_NULL_HANDLE;
-  check(vkCreateCommandPool(device.handle(), &info, nullptr, &pool), "create a command pool",
-        device.info().name);
+  check(vkCreateCommandPool(device.handle(), &info, nullptr, &pool), "create a command pool", device.info().name);
   return {device.handle(), pool};
 }
 
@@ -23,8 +22,7 @@ VkCommandBuffer allocateCommandBuffer(Device& device, VkCommandPool pool) {
   info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
   info.commandBufferCount = 1;
   VkCommandBuffer commands = VK_NULL_HANDLE;
-  check(vkAllocateCommandBuffers(device.handle(), &info, &commands), "allocate a command buffer",
-        device.info().name);
+  check(vkAllocateCommandBuffers(device.handle(), &info, &commands), "allocate a command buffer", device.info().name);
   return commands;
 }
 
@@ -44,10 +42,8 @@ void beginCommands(Device& device, VkCommandBuffer commands) {
 }
 
 void recordBarrier(VkCommandBuffer commands) {
-  constexpr VkPipelineStageFlags kBefore =
-      VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT;
-  constexpr VkPipelineStageFlags kAfter =
-      kBefore | VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_HOST_BIT;
+  constexpr VkPipelineStageFlags kBefore = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT;
+  constexpr VkPipelineStageFlags kAfter = kBefore | VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_HOST_BIT;
   VkMemoryBarrier barrier{};
   barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
   barrier.srcAccessMask = VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT;

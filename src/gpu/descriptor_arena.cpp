@@ -54,8 +54,7 @@ VkDescriptorSet DescriptorArena::bind(const Kernel& kernel, const BindingTable& 
   }
   const VkDescriptorSet set = allocate(kernel);
   for (VkWriteDescriptorSet& write : writes) write.dstSet = set;
-  vkUpdateDescriptorSets(device_.handle(), static_cast<std::uint32_t>(writes.size()), writes.data(), 0,
-                         nullptr);
+  vkUpdateDescriptorSets(device_.handle(), static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);
   return set;
 }
 
@@ -64,8 +63,7 @@ VkDescriptorSet DescriptorArena::allocate(const Kernel& kernel) {
   for (const ReflectedBinding& binding : kernel.impl().bindings)
     ++need.descriptors[static_cast<std::size_t>(binding.kind)];
   bool isFull = pools_.empty() || use_.sets + need.sets > kSetsPerPool;
-  for (std::size_t i = 0; i < 3; ++i)
-    isFull |= use_.descriptors[i] + need.descriptors[i] > kDescriptorsPerPool[i];
+  for (std::size_t i = 0; i < 3; ++i) isFull |= use_.descriptors[i] + need.descriptors[i] > kDescriptorsPerPool[i];
   if (isFull) {
     if (!pools_.empty()) ++current_;
     if (current_ == pools_.size()) addPool();
@@ -103,8 +101,7 @@ void DescriptorArena::addPool() {
 
 void DescriptorArena::reset() {
   for (const DescriptorPoolHandle& pool : pools_) {
-    check(vkResetDescriptorPool(device_.handle(), pool.get(), 0), "reset a descriptor pool",
-          device_.info().name);
+    check(vkResetDescriptorPool(device_.handle(), pool.get(), 0), "reset a descriptor pool", device_.info().name);
   }
   current_ = 0;
   use_ = {};

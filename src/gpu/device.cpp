@@ -88,12 +88,10 @@ void Device::readLimits() {
   limits_.nanosecondsPerTick = timestampMask_ == 0 ? 0.0 : static_cast<double>(device.timestampPeriod);
   limits_.isCpu = info_.type == "cpu";
 
-  constexpr VkMemoryPropertyFlags kHost = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
-                                          VK_MEMORY_PROPERTY_HOST_COHERENT_BIT |
-                                          VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
+  constexpr VkMemoryPropertyFlags kHost =
+      VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
   const bool sharesMemory = info_.type == "cpu" || info_.type == "integrated";
-  const std::uint32_t type =
-      *memoryType(~0u, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | (sharesMemory ? kHost : 0));
+  const std::uint32_t type = *memoryType(~0u, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | (sharesMemory ? kHost : 0));
   mapsBuffers_ = sharesMemory && (memory_.memoryTypes[type].propertyFlags & kHost) == kHost;
   limits_.heapBytes = memory_.memoryHeaps[memory_.memoryTypes[type].heapIndex].size;
 }

@@ -26,9 +26,7 @@ std::size_t findDevice(std::span<const DeviceInfo> devices, const std::string& w
   const auto isMeant = [&part](const DeviceInfo& device) {
     return lowerCase(device.name).find(part) != std::string::npos;
   };
-  const auto isMeantAndUsable = [&](const DeviceInfo& device) {
-    return isMeant(device) && device.missing.empty();
-  };
+  const auto isMeantAndUsable = [&](const DeviceInfo& device) { return isMeant(device) && device.missing.empty(); };
   auto found = std::find_if(devices.begin(), devices.end(), isMeantAndUsable);
   if (found == devices.end()) found = std::find_if(devices.begin(), devices.end(), isMeant);
   return static_cast<std::size_t>(found - devices.begin());

@@ -106,8 +106,7 @@ VkInstance createInstance(bool hasValidation, ValidationLog& log) {
   }
   VkInstance instance = VK_NULL_HANDLE;
   const VkResult result = vkCreateInstance(&info, nullptr, &instance);
-  if (result == VK_ERROR_INCOMPATIBLE_DRIVER)
-    throw DeviceError("no Vulkan driver was found", "", kInstallDriver);
+  if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw DeviceError("no Vulkan driver was found", "", kInstallDriver);
   check(result, "create a Vulkan instance", "");
   return instance;
 }

@@ -23,8 +23,8 @@ Constants constantsOf(const Reflection& module, std::span<const Specialization> 
   Constants constants{{specialization.begin(), specialization.end()}, module.workgroupSize[0]};
   if (!module.workgroupSizeXConstant) return constants;
   const std::uint32_t id = *module.workgroupSizeXConstant;
-  const auto given = std::find_if(specialization.begin(), specialization.end(),
-                                  [id](const Specialization& s) { return s.id == id; });
+  const auto given =
+      std::find_if(specialization.begin(), specialization.end(), [id](const Specialization& s) { return s.id == id; });
   if (given != specialization.end()) {
     constants.workgroupSize = given->value;
   } else if (module.workgroupSize[0] == 1) {
@@ -38,8 +38,7 @@ void checkLimits(const Limits& limits, const std::string& label, const Reflectio
                  std::uint32_t workgroupSize) {
   if (module.pushConstantBytes > kMaxPushConstantBytes) {
     throw std::logic_error("kernel '" + label + "' has " + std::to_string(module.pushConstantBytes) +
-                           " bytes of push constants; " + std::to_string(kMaxPushConstantBytes) +
-                           " are allowed");
+                           " bytes of push constants; " + std::to_string(kMaxPushConstantBytes) + " are allowed");
   }
   if (workgroupSize == 0 || workgroupSize > limits.maxWorkgroupSize) {
     throw DeviceError("kernel '" + label + "' needs workgroups of " + std::to_string(workgroupSize) +
@@ -48,8 +47,7 @@ void checkLimits(const Limits& limits, const std::string& label, const Reflectio
   }
 }
 
-SetLayoutHandle createSetLayout(Device& device, const std::string& label,
-                                std::span<const ReflectedBinding> bindings) {
+SetLayoutHandle createSetLayout(Device& device, const std::string& label, std::span<const ReflectedBinding> bindings) {
   std::vector<VkDescriptorSetLayoutBinding> entries;
   for (const ReflectedBinding& binding : bindings) {
     entries.push_back({binding.slot, descriptorType(binding.kind), 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
@@ -59,8 +57,7 @@ SetLayoutHandle createSetLayout(Device& device, const std::string& label,
   info.bindingCount = static_cast<std::uint32_t>(entries.size());
   info.pBindings = entries.data();
   VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-  check(vkCreateDescriptorSetLayout(device.handle(), &info, nullptr, &layout), "create a descriptor layout",
-        label);
+  check(vkCreateDescriptorSetLayout(device.handle(), &info, nullptr, &layout), "create a descriptor layout", label);
   return {device.handle(), layout};
 }
 
@@ -78,8 +75,7 @@ PipelineLayoutHandle createPipelineLayout(Device& device, const std::string& lab
   return {device.handle(), layout};
 }
 
-ShaderModuleHandle createModule(Device& device, const std::string& label,
-                                std::span<const std::uint32_t> spirv) {
+ShaderModuleHandle createModule(Device& device, const std::string& label, std::span<const std::uint32_t> spirv) {
   VkShaderModuleCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
   info.codeSize = spirv.size_bytes();
@@ -89,12 +85,11 @@ ShaderModuleHandle createModule(Device& device, const std::string& label,
   return {device.handle(), module};
 }
 
-PipelineHandle createPipeline(Device& device, const std::string& label, VkShaderModule module,
-                              VkPipelineLayout layout, std::span<const Specialization> constants) {
+PipelineHandle createPipeline(Device& device, const std::string& label, VkShaderModule module, VkPipelineLayout layout,
+                              std::span<const Specialization> constants) {
   std::vector<VkSpecializationMapEntry> entries;
   for (std::size_t i = 0; i < constants.size(); ++i) {
-    const auto offset =
-        static_cast<std::uint32_t>(i * sizeof(Specialization) + offsetof(Specialization, value));
+    const auto offset = static_cast<std::uint32_t>(i * sizeof(Specialization) + offsetof(Specialization, value));
     entries.push_back({constants[i].id, offset, sizeof(std::uint32_t)});
   }
   const VkSpecializationInfo specialization{static_cast<std::uint32_t>(entries.size()), entries.data(),
@@ -121,9 +116,7 @@ void BindingTable::set(std::uint32_t slot, const Buffer& buffer) {
   slots_[slot] = &buffer;
 }
 
-const Buffer* BindingTable::get(std::uint32_t slot) const {
-  return slot < slots_.size() ? slots_[slot] : nullptr;
-}
+const Buffer* BindingTable::get(std::uint32_t slot) const { return slot < slots_.size() ? slots_[slot] : nullptr; }
 
 VkDescriptorType descriptorType(BindingKind kind) {
   switch (kind) {
@@ -149,8 +142,7 @@ Kernel::Kernel(Context& context, std::string label, std::span<const std::uint32_
   impl_->pushConstantBytes = module.pushConstantBytes;
   impl_->setLayout = createSetLayout(device, label_, module.bindings);
   impl_->bindings = std::move(module.bindings);
-  impl_->pipelineLayout =
-      createPipelineLayout(device, label_, impl_->setLayout.get(), impl_->pushConstantBytes);
+  impl_->pipelineLayout = createPipelineLayout(device, label_, impl_->setLayout.get(), impl_->pushConstantBytes);
   impl_->spirv = spirv;
   impl_->constants = std::move(constants.values);
 }

@@ -30,9 +30,9 @@ struct Specialization {
 };
 
 /// Bindings, push-constant size and texel kinds come from reflection of the module. Throws DeviceError.
-/// The driver is given the module, which must live as long as the kernel, when the kernel is first dispatched, or before
-/// by compile(). Lavapipe makes machine code at the first dispatch only, whose time then holds that unless the driver
-/// finds the code in its cache on disk.
+/// The driver is given the module, which must live as long as the kernel, when the kernel is first dispatched, or
+/// before by compile(). Lavapipe makes machine code at the first dispatch only, whose time then holds that unless the
+/// driver finds the code in its cache on disk.
 class Kernel {
  public:
   Kernel();

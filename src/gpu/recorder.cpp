@@ -75,8 +75,8 @@ struct Recorder::Impl {
   void prepare(const Kernel& kernel, const BindingTable& bindings, std::span<const std::byte> pushConstants) {
     if (pushConstants.size() != kernel.impl().pushConstantBytes) {
       throw std::logic_error("kernel '" + kernel.label() + "' takes " +
-                             std::to_string(kernel.impl().pushConstantBytes) +
-                             " bytes of push constants, not " + std::to_string(pushConstants.size()));
+                             std::to_string(kernel.impl().pushConstantBytes) + " bytes of push constants, not " +
+                             std::to_string(pushConstants.size()));
     }
     kernel.compile();
     beginCommand();

@@ -43,8 +43,7 @@ class Recorder {
   void dispatchIndirect(const Kernel& kernel, const BindingTable& bindings, const Buffer& arguments,
                         std::uint64_t offset, std::span<const std::byte> pushConstants = {});
   template <PushConstants Push>
-  void dispatch(const Kernel& kernel, const BindingTable& bindings, std::uint64_t invocations,
-                const Push& push) {
+  void dispatch(const Kernel& kernel, const BindingTable& bindings, std::uint64_t invocations, const Push& push) {
     dispatch(kernel, bindings, invocations, std::as_bytes(std::span(&push, 1)));
   }
   template <PushConstants Push>

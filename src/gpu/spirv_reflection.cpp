@@ -195,11 +195,9 @@ class Module {
     }
     const std::string name = variable.name.empty() ? type.name : variable.name;
     const auto set = variable.decorations.find(spv::DecorationDescriptorSet);
-    if (set != variable.decorations.end() && set->second != 0)
-      throw std::logic_error(name + " is not in set 0");
+    if (set != variable.decorations.end() && set->second != 0) throw std::logic_error(name + " is not in set 0");
     const BindingKind kind = kindOf(storage, type, name);
-    if (variable.isUsed)
-      result.bindings.push_back({variable.decorations.at(spv::DecorationBinding), kind, name});
+    if (variable.isUsed) result.bindings.push_back({variable.decorations.at(spv::DecorationBinding), kind, name});
     if (storage != spv::StorageClassUniformConstant) addStructs(result, typeId, 0, true);
   }
 
@@ -243,8 +241,7 @@ class Module {
     result.workgroupSize = localSize_;
     for (const Id& id : ids_) {
       const auto builtIn = id.decorations.find(spv::DecorationBuiltIn);
-      if (builtIn == id.decorations.end() ||
-          builtIn->second != static_cast<std::uint32_t>(spv::BuiltInWorkgroupSize))
+      if (builtIn == id.decorations.end() || builtIn->second != static_cast<std::uint32_t>(spv::BuiltInWorkgroupSize))
         continue;
       for (std::size_t i = 0; i < 3; ++i) {
         const Id& size = at(id.operands[i]);

@@ -40,8 +40,7 @@ void Staging::createBuffer() {
   allocation.allocationSize = needs.size;
   allocation.memoryTypeIndex =
       device_
-          .memoryType(needs.memoryTypeBits,
-                      VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
+          .memoryType(needs.memoryTypeBits, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
                       VK_MEMORY_PROPERTY_HOST_CACHED_BIT)
           .value();  // Vulkan promises that there is one
   VkDeviceMemory memory = VK_NULL_HANDLE;
@@ -53,8 +52,7 @@ void Staging::createBuffer() {
   mapped_ = static_cast<std::byte*>(mapped);
 }
 
-void Staging::copy(VkBuffer from, std::uint64_t fromOffset, VkBuffer to, std::uint64_t toOffset,
-                   std::uint64_t bytes) {
+void Staging::copy(VkBuffer from, std::uint64_t fromOffset, VkBuffer to, std::uint64_t toOffset, std::uint64_t bytes) {
   beginCommands(device_, commands_);
   const VkBufferCopy region{fromOffset, toOffset, bytes};
   vkCmdCopyBuffer(commands_, from, to, 1, &region);

@@ -39,10 +39,9 @@ void throwDeviceError(VkResult result, const std::string& doing, const std::stri
     case VK_ERROR_OUT_OF_HOST_MEMORY:
       throw DeviceError("out of host memory: cannot " + doing, where, "free memory or lower the image size");
     case VK_ERROR_DEVICE_LOST:
-      throw DeviceError(
-          "the device was lost: cannot " + doing, where,
-          "another program or the driver's watchdog may have reset it; try again, with fewer --photons "
-          "or another --device if it happens again");
+      throw DeviceError("the device was lost: cannot " + doing, where,
+                        "another program or the driver's watchdog may have reset it; try again, with fewer --photons "
+                        "or another --device if it happens again");
     default:
       throw DeviceError("Vulkan call failed with " + resultName(result) + ": cannot " + doing, where,
                         "run with --validation to learn more, or choose another --device");

@@ -16,11 +16,30 @@ struct TypeSize {
   std::string_view type;
   std::uint64_t bytes;
 };
-constexpr std::array<TypeSize, 24> kTypeSizes = {
-    {{"box2f", 16},  {"box2i", 16}, {"chromaticities", 32}, {"compression", 1}, {"deepImageState", 1}, {"double", 8},
-     {"envmap", 1},  {"float", 4},  {"int", 4},             {"keycode", 28},    {"lineOrder", 1},      {"m33d", 72},
-     {"m33f", 36},   {"m44d", 128}, {"m44f", 64},           {"rational", 8},    {"tiledesc", 9},       {"timecode", 8},
-     {"v2d", 16},    {"v2f", 8},    {"v2i", 8},             {"v3d", 24},        {"v3f", 12},           {"v3i", 12}}};
+constexpr std::array<TypeSize, 24> kTypeSizes = {{{"box2f", 16},
+                                                  {"box2i", 16},
+                                                  {"chromaticities", 32},
+                                                  {"compression", 1},
+                                                  {"deepImageState", 1},
+                                                  {"double", 8},
+                                                  {"envmap", 1},
+                                                  {"float", 4},
+                                                  {"int", 4},
+                                                  {"keycode", 28},
+                                                  {"lineOrder", 1},
+                                                  {"m33d", 72},
+                                                  {"m33f", 36},
+                                                  {"m44d", 128},
+                                                  {"m44f", 64},
+                                                  {"rational", 8},
+                                                  {"tiledesc", 9},
+                                                  {"timecode", 8},
+                                                  {"v2d", 16},
+                                                  {"v2f", 8},
+                                                  {"v2i", 8},
+                                                  {"v3d", 24},
+                                                  {"v3f", 12},
+                                                  {"v3i", 12}}};
 
 class HeaderReader {
  public:

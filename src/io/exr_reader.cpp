@@ -45,7 +45,8 @@ bool isLuminanceChroma(const Imf::Header& header) {
 
 /// Checks the size of a part of a file of `fileBytes`, with its channels beside those there are already: before memory
 /// is taken for it.
-void checkSize(const Imf::Header& header, const std::string& where, std::size_t channelsBefore, std::int64_t fileBytes) {
+void checkSize(const Imf::Header& header, const std::string& where, std::size_t channelsBefore,
+               std::int64_t fileBytes) {
   const Imath::Box2i window = header.dataWindow();
   const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
   const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
@@ -53,9 +54,8 @@ void checkSize(const Imf::Header& header, const std::string& where, std::size_t 
   for (auto i = header.channels().begin(); i != header.channels().end(); ++i) ++channels;
   if (channels == 0) throw SceneError("the image has no channels", where, "give an image with R, G and B");
   if (width > kMostValues || height > kMostValues || width * height > kMostValues / channels) {
-    throw SceneError(
-        fmt::format("an image of {} x {} pixels with {} channels is too large", width, height, channels), where,
-        "scale it down, or check that the file is whole");
+    throw SceneError(fmt::format("an image of {} x {} pixels with {} channels is too large", width, height, channels),
+                     where, "scale it down, or check that the file is whole");
   }
   if (width * height / mostValuesPerByte(header.compression()) > fileBytes)
     throw SceneError(fmt::format("a file of {} bytes cannot hold {} x {} pixels", fileBytes, width, height), where,
@@ -83,8 +83,7 @@ void readPart(Imf::MultiPartInputFile& exr, int part, const std::string& prefix,
   for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
     image.channels.push_back({prefix + i.name(), std::vector<float>(width * static_cast<std::size_t>(image.height))});
     float* values = image.channels.back().values.data();
-    frameBuffer.insert(i.name(),
-                       Imf::Slice::Make(Imf::FLOAT, values, window, sizeof(float), sizeof(float) * width));
+    frameBuffer.insert(i.name(), Imf::Slice::Make(Imf::FLOAT, values, window, sizeof(float), sizeof(float) * width));
   }
   Imf::InputPart input(exr, part);
   input.setFrameBuffer(frameBuffer);

@@ -51,8 +51,7 @@ Imf::Header makeHeader(const Image& image) {
   header.compression() = Imf::ZIP_COMPRESSION;
   Imf::addChromaticities(header, Imf::Chromaticities());  // the default: Rec. ITU-R BT.709, white D65
   for (const auto& [name, value] : image.attributes) header.insert(name, Imf::StringAttribute(value));
-  for (const Channel& channel : image.channels)
-    header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
+  for (const Channel& channel : image.channels) header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
   return header;
 }
 
@@ -60,8 +59,7 @@ Imf::FrameBuffer makeFrameBuffer(const Image& image) {
   Imf::FrameBuffer frameBuffer;
   const std::size_t rowBytes = sizeof(float) * static_cast<std::size_t>(image.width);
   for (const Channel& channel : image.channels) {
-    assert(channel.values.size() ==
-           static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+    assert(channel.values.size() == static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
     // OpenEXR takes one kind of slice for reading and writing; writing does not touch the values.
     char* values = const_cast<char*>(reinterpret_cast<const char*>(channel.values.data()));
     frameBuffer.insert(channel.name, Imf::Slice(Imf::FLOAT, values, sizeof(float), rowBytes));

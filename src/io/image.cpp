@@ -5,8 +5,8 @@
 namespace importon {
 
 const Channel* Image::find(const std::string& name) const {
-  const auto found = std::find_if(channels.begin(), channels.end(),
-                                  [&](const Channel& channel) { return channel.name == name; });
+  const auto found =
+      std::find_if(channels.begin(), channels.end(), [&](const Channel& channel) { return channel.name == name; });
   return found == channels.end() ? nullptr : &*found;
 }
 

@@ -53,8 +53,7 @@ Image takeColor(const Image& image, const std::string& layer, const std::string&
   const bool hasOne = layers.size() == 1 && layer.empty();
   const std::vector<const Channel*> channels = channelsOf(image, hasOne ? layers.front() : layer);
   if (channels.empty()) {
-    refuse(image,
-           layer.empty() ? std::string("the image has no channels R, G, B") : fmt::format("no layer {}", layer),
+    refuse(image, layer.empty() ? std::string("the image has no channels R, G, B") : fmt::format("no layer {}", layer),
            where);
   }
   Image color{image.width, image.height, {}, image.attributes};

@@ -99,9 +99,7 @@ OutputFile::~OutputFile() {
   if (!temporary_.empty()) unlink(temporary_.c_str());
 }
 
-void OutputFile::fail(const std::string& what, int errorNumber) const {
-  throwOutputError(what, shownAs_, errorNumber);
-}
+void OutputFile::fail(const std::string& what, int errorNumber) const { throwOutputError(what, shownAs_, errorNumber); }
 
 void OutputFile::write(std::span<const std::byte> bytes) {
   buffer_.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -131,8 +129,7 @@ void OutputFile::commit() {
   flush();
   const int descriptor = descriptor_;
   descriptor_ = -1;
-  if (close(descriptor) != 0)
-    fail("cannot write", errno);  // some file systems tell only now that they are full
+  if (close(descriptor) != 0) fail("cannot write", errno);  // some file systems tell only now that they are full
   if (temporary_.empty()) return;
   if (rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot write", errno);
   temporary_.clear();

@@ -18,8 +18,7 @@ std::array<std::span<const float>, 3> rgbOf(const Image& image, const std::strin
   for (std::size_t c = 0; c < 3; ++c) {
     const Channel* channel = image.find(kNames[c]);
     if (channel == nullptr) {
-      throw SceneError(std::string("the image has no channel ") + kNames[c], where,
-                       "give an image with R, G and B");
+      throw SceneError(std::string("the image has no channel ") + kNames[c], where, "give an image with R, G and B");
     }
     planes[c] = channel->values;
   }
@@ -55,8 +54,6 @@ float srgbFromLinear(float linear) {
   return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1 / 2.4F) - 0.055F;
 }
 
-float linearFromSrgb(float srgb) {
-  return srgb <= 0.04045F ? srgb / 12.92F : std::pow((srgb + 0.055F) / 1.055F, 2.4F);
-}
+float linearFromSrgb(float srgb) { return srgb <= 0.04045F ? srgb / 12.92F : std::pow((srgb + 0.055F) / 1.055F, 2.4F); }
 
 }  // namespace importon

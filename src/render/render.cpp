@@ -17,7 +17,8 @@ double guessFinish(const RenderJob& job, std::uint64_t pixels) {
   return static_cast<double>(pixels) * (kWriteSeconds * layers + (job.filtersIndirect ? kFilterSeconds : 0));
 }
 
-RenderProgress describeProgress(const Renderer& renderer, const StopRule& rule, int passes, int maxPasses, double seconds) {
+RenderProgress describeProgress(const Renderer& renderer, const StopRule& rule, int passes, int maxPasses,
+                                double seconds) {
   const RenderStats& stats = renderer.stats();
   const double working = std::max(stats.seconds.photons + stats.seconds.gather, 1e-9);
   RenderProgress p;

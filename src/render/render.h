@@ -15,7 +15,7 @@ namespace importon {
 struct RenderProgress {
   int pass = 0, passes = 0;
   double seconds = 0, photonsPerSecond = 0, raysPerSecond = 0, secondsLeft = -1;
-  double error = -1, target = -1;  // estimated relative error of the image; the one at which to stop
+  double error = -1, target = -1;      // estimated relative error of the image; the one at which to stop
   const RenderStats* stats = nullptr;  // so far
   std::function<Image()> image = {};   // the image so far, resolved anew at each call: without AOVs
 };

@@ -12,9 +12,12 @@ enum class Integrator { photon, path };
 enum class PixelFilter { box, gaussian, blackmanHarris };  // kFilter* of shared/features.h
 enum class DensityControl { off, density, probability };
 enum class ImportanceChoice { map, differentials };
-enum class DifferentialBound { pixel, screen };  // of required density: the most that a path nearby asks for, or the sum
+enum class DifferentialBound {
+  pixel,
+  screen
+};  // of required density: the most that a path nearby asks for, or the sum
 enum class GatherSource { cells, photons };
-enum class Acceptance { step, cosine };              // kAccept* of shared/render_data.h
+enum class Acceptance { step, cosine };                 // kAccept* of shared/render_data.h
 enum class PowerShares { count, distance, direction };  // kShare*
 enum class MapLookup { radius, nearest };
 enum class IrradianceCache { off, photons, importons };  // where irradiance of the global map is precomputed
@@ -24,25 +27,25 @@ enum class EmissionChoice { automatic, power, guided };
 enum class RequiredBy { importance, contribution, direction };
 enum class ScatterChoice { material, guided };  // by what photons scatter: the material alone, or a guide too
 enum class GuideWeight { importance, deficit, potential };  // what guided emission follows
-enum class PhotonsShot { all, enough };          // of a pass: all that it may have, or what important places require
+enum class PhotonsShot { all, enough };  // of a pass: all that it may have, or what important places require
 
 /// Unset optionals are chosen automatically. Names follow the options of `importon render`, each of which has a row in
 /// render/options/option_table.cpp.
 struct RenderJob {
   std::filesystem::path scene;
   std::filesystem::path output;
-  std::filesystem::path png;                 // empty: none
-  std::optional<int> width, height;          // pixels
+  std::filesystem::path png;         // empty: none
+  std::optional<int> width, height;  // pixels
   PixelFilter filter = PixelFilter::box;
-  std::string camera;                        // name or index; empty: the first
+  std::string camera;  // name or index; empty: the first
   Integrator integrator = Integrator::photon;
-  std::optional<int> passes;                 // at most
-  std::optional<double> seconds;             // wall clock since the process started
-  std::optional<double> error;               // estimated relative error at which to stop
-  std::optional<std::uint32_t> photons;      // emitted per pass, at most
-  std::optional<std::uint32_t> importons;    // in all
+  std::optional<int> passes;               // at most
+  std::optional<double> seconds;           // wall clock since the process started
+  std::optional<double> error;             // estimated relative error at which to stop
+  std::optional<std::uint32_t> photons;    // emitted per pass, at most
+  std::optional<std::uint32_t> importons;  // in all
   DensityControl control = DensityControl::density;
-  double probabilityFloor = 0;               // ε: least probability of storing a hit, for control by probability
+  double probabilityFloor = 0;  // ε: least probability of storing a hit, for control by probability
   ImportanceChoice importance = ImportanceChoice::map;
   DifferentialBound differentialBound = DifferentialBound::screen;
   std::optional<GatherSource> gatherFrom;  // unset: render/options/gather_source.h decides
@@ -51,37 +54,37 @@ struct RenderJob {
   ScatterChoice scatter = ScatterChoice::material;
   GuideWeight guideWeight = GuideWeight::deficit;
   PhotonsShot shooting = PhotonsShot::all;
-  std::optional<std::uint32_t> photonBatch;  // photons traced at once
+  std::optional<std::uint32_t> photonBatch;         // photons traced at once
   double causticDensity = 20, globalDensity = 1.5;  // M_r, photons per pixel footprint
-  std::optional<double> constantDensity;     // photons/m², the same everywhere
-  std::optional<int> redistribute;           // M'; unset: to the photon of its cell
-  Acceptance acceptance = Acceptance::step;      // of the rank quota, which --redistribute chooses
+  std::optional<double> constantDensity;            // photons/m², the same everywhere
+  std::optional<int> redistribute;                  // M'; unset: to the photon of its cell
+  Acceptance acceptance = Acceptance::step;         // of the rank quota, which --redistribute chooses
   PowerShares shares = PowerShares::count;
-  std::optional<int> quota;                  // Q: photons within a quota radius
-  bool hasProgramLimits = false;             // density limits of the talk's author's program
-  std::optional<MapLookup> lookup;           // unset: within a radius
+  std::optional<int> quota;         // Q: photons within a quota radius
+  bool hasProgramLimits = false;    // density limits of the talk's author's program
+  std::optional<MapLookup> lookup;  // unset: within a radius
   IrradianceCache irradiance = IrradianceCache::off;
-  std::optional<int> lookupPhotons;          // M of a lookup, in both maps
-  bool choosesLookups = false;               // M by what a pilot shows, for each map that lookups read
-  std::optional<int> nearestImportons;       // M of the importance estimate
-  std::optional<int> gather;                 // final gather rays per pixel and pass
-  bool filtersIndirect = true;               // --indirect-filter auto, off
-  bool isAdaptive = true;                    // more camera paths where the image is noisier
-  int maxDepth = 16;                         // scattering events
+  std::optional<int> lookupPhotons;     // M of a lookup, in both maps
+  bool choosesLookups = false;          // M by what a pilot shows, for each map that lookups read
+  std::optional<int> nearestImportons;  // M of the importance estimate
+  std::optional<int> gather;            // final gather rays per pixel and pass
+  bool filtersIndirect = true;          // --indirect-filter auto, off
+  bool isAdaptive = true;               // more camera paths where the image is noisier
+  int maxDepth = 16;                    // scattering events
   std::vector<std::string> aovs;
   std::uint32_t seed = 0;
-  bool allowsOutsideFiles = false;           // the scene may name files outside its folder
+  bool allowsOutsideFiles = false;  // the scene may name files outside its folder
   std::string device;
-  int threads = 0;                           // 0: all
-  std::optional<std::uint64_t> memoryMiB;    // cap for photon maps
-  std::filesystem::path environment;         // lat-long map instead of the scene's own; empty: none
-  std::filesystem::path stats;               // empty: none
-  std::filesystem::path checkpoint;          // takes the state every minute and at the end; empty: none
-  std::filesystem::path resume;              // a checkpoint to go on from; empty: none
-  std::filesystem::path reference;           // adds the error against it to the statistics; empty: none
+  int threads = 0;                         // 0: all
+  std::optional<std::uint64_t> memoryMiB;  // cap for photon maps
+  std::filesystem::path environment;       // lat-long map instead of the scene's own; empty: none
+  std::filesystem::path stats;             // empty: none
+  std::filesystem::path checkpoint;        // takes the state every minute and at the end; empty: none
+  std::filesystem::path resume;            // a checkpoint to go on from; empty: none
+  std::filesystem::path reference;         // adds the error against it to the statistics; empty: none
   bool validation = false;
-  std::uint32_t workgroupSize = 64;          // invocations; the image does not depend on it
-  bool forcesAllFeatures = false;            // every feature on: must give the same image
+  std::uint32_t workgroupSize = 64;  // invocations; the image does not depend on it
+  bool forcesAllFeatures = false;    // every feature on: must give the same image
   std::vector<std::string> commandLine;
 };
 

@@ -40,7 +40,7 @@ struct ErrorPoint {
 /// What is known of the error; empty where nothing is.
 struct ErrorStats {
   std::optional<double> estimated, relmse, relmseTrimmed, smape;
-  std::vector<ErrorPoint> passes = {};  // where there is a reference
+  std::vector<ErrorPoint> passes = {};        // where there is a reference
   std::optional<double> low = {}, high = {};  // 90 % band of the true error
 };
 

@@ -98,8 +98,8 @@ void Renderer::gatherImage(int pass) {
 EyeMaps Renderer::eyeMaps() const {
   EyeMaps maps{&caustic_.importance, &global_.importance};
   for (const PhotonSystem* system : {&caustic_, &global_})
-    if (system->map) maps.see(system->kind, *system->map);
-  maps.hasCells = cache_.isUsed();
+    if (system->map && system->map->isFinished()) maps.see(system->kind, *system->map);
+  maps.hasCells = cache_.hasCells();
   return maps;
 }
 
@@ -125,13 +125,12 @@ void Renderer::stateRestored(int passes) {
 std::uint64_t Renderer::fingerprint() const {
   const gpu::DeviceInfo& device = context_.device->context.info();
   ContentHash hash;
-  hash.add(fmt::format("{} {} {} {}", imageFingerprint(context_.job, context_.scene), context_.job.seed, device.name, device.driver));
+  hash.add(fmt::format("{} {} {} {}", imageFingerprint(context_.job, context_.scene), context_.job.seed, device.name,
+                       device.driver));
   return hash.value();
 }
 
-Image Renderer::image() const {
-  return imageOf(camera_.read(totals_.done()), context_);
-}
+Image Renderer::image() const { return imageOf(camera_.read(totals_.done()), context_); }
 
 Image Renderer::imageWithLayers() {
   const FilmLayers layers = camera_.read(totals_.done());

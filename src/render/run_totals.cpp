@@ -1,8 +1,8 @@
 #include "render/run_totals.h"
 
-#include <stdexcept>
-
 #include <fmt/format.h>
+
+#include <stdexcept>
 
 #include "render/features/features.h"
 #include "render/options/gather_source.h"
@@ -40,7 +40,8 @@ void RunTotals::addToDone(int pass) {
   }
 }
 
-void RunTotals::countPass(int pass, const PhotonSystem& caustic, const PhotonSystem& global, const SurfaceCache& cache) {
+void RunTotals::countPass(int pass, const PhotonSystem& caustic, const PhotonSystem& global,
+                          const SurfaceCache& cache) {
   addToDone(pass);
   RenderStats& stats = context_.stats;
   const auto counters = context_.work.counters.download<uint>(kCounterCount);
@@ -50,8 +51,10 @@ void RunTotals::countPass(int pass, const PhotonSystem& caustic, const PhotonSys
   const auto count = [&](const PhotonSystem& system, PhotonMapStats& map) {
     if (!system.isUsed) return;
     map.emitted += context_.now.photonsFor(system.kind);
-    if (system.map) addCounts(map, system.map->readCounts(context_.stage(), context_.parameters.fluxScale), system.kind);
-    else if (cache.isUsed()) cache.count(counters, map);
+    if (system.map)
+      addCounts(map, system.map->readCounts(context_.stage(), context_.parameters.fluxScale), system.kind);
+    else if (cache.isUsed())
+      cache.count(counters, map);
   };
   count(global, stats.global);
   count(caustic, stats.caustic);
@@ -75,8 +78,9 @@ void RunTotals::finish(int passes, const PhotonSystem& caustic, const PhotonSyst
   stats.devicePeakBytes = gpu.peakBytes();
   for (const std::string& message : gpu.takeValidationMessages()) context_.log.warn("validation", message);
   stats.photonMapBytes = global.bytes() + caustic.bytes() + cache.bytes();
-  if (cache.isUsed()) addCounts(stats.global, cache.readFlux(), global.kind);
-  for (const gpu::KernelTime& t : context_.recorder.times()) stats.kernels.push_back({t.label, t.launches, t.milliseconds});
+  if (cache.hasCells()) addCounts(stats.global, cache.readFlux(), global.kind);
+  for (const gpu::KernelTime& t : context_.recorder.times())
+    stats.kernels.push_back({t.label, t.launches, t.milliseconds});
 }
 
 void RunTotals::addKept(std::vector<Kept>& state) {

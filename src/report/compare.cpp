@@ -74,8 +74,7 @@ void checkSizes(const Image& image, const std::string& imageName, const Image& r
 }  // namespace
 
 ValueErrors compareValues(const Image& image, const std::string& imageName, const Image& reference,
-                          const std::string& referenceName, std::optional<double> floor,
-                          std::vector<float>* relative) {
+                          const std::string& referenceName, std::optional<double> floor, std::vector<float>* relative) {
   checkSizes(image, imageName, reference, referenceName);
   const Rgb shown = rgbOf(image, imageName), truth = rgbOf(reference, referenceName);
   const std::size_t pixels = truth[0].size();
@@ -113,8 +112,7 @@ Comparison compareImages(const Image& image, const std::string& imageName, const
                          const std::string& referenceName, std::optional<double> floor, ErrorMaps* maps) {
   ErrorMaps found;
   Comparison result;
-  static_cast<ValueErrors&>(result) =
-      compareValues(image, imageName, reference, referenceName, floor, &found.relative);
+  static_cast<ValueErrors&>(result) = compareValues(image, imageName, reference, referenceName, floor, &found.relative);
   const float exposure = autoExposure(reference, referenceName);
   found.flip = ldrFlipMap(toneMapped(image, exposure, imageName), toneMapped(reference, exposure, referenceName));
   found.flipHdr = hdrFlipMap(image, imageName, reference, referenceName);

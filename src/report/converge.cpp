@@ -86,7 +86,8 @@ std::vector<CurvePoint> curveOf(const ConvergeRun& run) {
   return curve;
 }
 
-/// A quarter, half and three quarters of the way from the first to the last error of the first configuration, in logarithms.
+/// A quarter, half and three quarters of the way from the first to the last error of the first configuration, in
+/// logarithms.
 std::vector<double> levelsOf(const ConvergeReport& report) {
   if (report.results.empty() || report.results.front().summaries.empty()) return {};
   const auto& summaries = report.results.front().summaries;
@@ -159,8 +160,7 @@ ConvergeReport converge(const ConvergePlan& plan, const Scene& scene, const Imag
       }
       result.runs.push_back(std::move(run));
     }
-    for (const auto& [budget, split] : splits)
-      result.summaries.push_back({budget, {}, {}, split.parts(reference)});
+    for (const auto& [budget, split] : splits) result.summaries.push_back({budget, {}, {}, split.parts(reference)});
     report.results.push_back(std::move(result));
   }
   summarize(report);

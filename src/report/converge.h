@@ -51,7 +51,7 @@ struct ConvergeSummary {
 struct ConvergeResult {
   ConvergeConfig config;
   std::vector<ConvergeRun> runs;
-  std::vector<ConvergeSummary> summaries;           // budgets that some run has a point for
+  std::vector<ConvergeSummary> summaries;            // budgets that some run has a point for
   std::vector<std::optional<Interval>> timeToError;  // s for each level; empty: not reached by every seed
   Image image;                                       // of the first seed at its last point
 };

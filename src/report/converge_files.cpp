@@ -118,9 +118,8 @@ std::string convergePage(const ConvergeTitle& title, const ConvergeReport& repor
   const auto addImage = [&](const std::string& name, const Image& image) {
     const PngPixels error =
         falseColors(image.width, image.height, ldrFlipMap(toneMapped(image, exposure, name), truth));
-    data["images"].push_back({{"name", name},
-                              {"image", dataUri(shownPixels(image, exposure, name))},
-                              {"error", dataUri(error)}});
+    data["images"].push_back(
+        {{"name", name}, {"image", dataUri(shownPixels(image, exposure, name))}, {"error", dataUri(error)}});
   };
   addImage("reference", reference);
   for (const ConvergeResult& result : report.results) {

@@ -37,8 +37,7 @@ constexpr std::array<Triple, 3> kRgbFromXyz{Triple{3.24100326F, -1.53739899F, -0
 
 Triple multiply(const std::array<Triple, 3>& matrix, const Triple& v) {
   Triple result{};
-  for (std::size_t i = 0; i < 3; ++i)
-    result[i] = matrix[i][0] * v[0] + matrix[i][1] * v[1] + matrix[i][2] * v[2];
+  for (std::size_t i = 0; i < 3; ++i) result[i] = matrix[i][0] * v[0] + matrix[i][1] * v[1] + matrix[i][2] * v[2];
   return result;
 }
 
@@ -78,9 +77,7 @@ Triple huntLabFromRgb(const Triple& rgb) {
 }
 
 /// The HyAB distance (eq. 5).
-float hyab(const Triple& a, const Triple& b) {
-  return std::abs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]);
-}
+float hyab(const Triple& a, const Triple& b) { return std::abs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]); }
 
 /// Along x, then along y; beyond the border the border's values repeat.
 Plane convolve(const Plane& input, int width, int height, const Kernel& alongX, const Kernel& alongY) {
@@ -157,8 +154,7 @@ Planes opponentPlanes(const ShownImage& image) {
 Planes perceived(const Planes& opponent) {
   Planes planes{opponent.width, opponent.height, {}};
   for (std::size_t c = 0; c < 3; ++c) {
-    planes.channels[c] =
-        contrastFiltered(opponent.channels[c], opponent.width, opponent.height, kSensitivity[c]);
+    planes.channels[c] = contrastFiltered(opponent.channels[c], opponent.width, opponent.height, kSensitivity[c]);
   }
   for (std::size_t i = 0; i < planes.channels[0].size(); ++i) {
     Triple rgb = rgbFromOpponent({planes.channels[0][i], planes.channels[1][i], planes.channels[2][i]});
@@ -171,8 +167,7 @@ Planes perceived(const Planes& opponent) {
 
 /// The colour difference, compressed to [0, 1] (sec. 4.1.3).
 float colorError(const Triple& a, const Triple& b) {
-  static const float greatest =
-      std::pow(hyab(huntLabFromRgb({0, 1, 0}), huntLabFromRgb({0, 0, 1})), kColorExponent);
+  static const float greatest = std::pow(hyab(huntLabFromRgb({0, 1, 0}), huntLabFromRgb({0, 0, 1})), kColorExponent);
   const float error = std::pow(hyab(a, b), kColorExponent), knee = kColorKnee * greatest;
   if (error < knee) return kColorKneeValue / knee * error;
   return std::min(1.F, kColorKneeValue + (error - knee) / (greatest - knee) * (1 - kColorKneeValue));
@@ -206,8 +201,7 @@ FeatureKernels featureKernels() {
 }
 
 /// Length of the gradient of `plane` along both axes by `derivative`.
-Plane featureStrength(const Plane& plane, int width, int height, const Kernel& gaussian,
-                      const Kernel& derivative) {
+Plane featureStrength(const Plane& plane, int width, int height, const Kernel& gaussian, const Kernel& derivative) {
   Plane strength = convolve(plane, width, height, derivative, gaussian);
   const Plane alongY = convolve(plane, width, height, gaussian, derivative);
   for (std::size_t i = 0; i < strength.size(); ++i) strength[i] = std::hypot(strength[i], alongY[i]);
@@ -242,8 +236,7 @@ ShownImage toneMapped(const Image& image, float exposure, const std::string& whe
     for (const float value : rgb[c]) {
       shown.rgb[c].push_back(std::isfinite(value) ? filmicShoulder(value * exposure) : 0);
     }
-    for (std::size_t i = 0; i < rgb[c].size(); ++i)
-      shown.isBroken[i] = shown.isBroken[i] || !std::isfinite(rgb[c][i]);
+    for (std::size_t i = 0; i < rgb[c].size(); ++i) shown.isBroken[i] = shown.isBroken[i] || !std::isfinite(rgb[c][i]);
   }
   return shown;
 }

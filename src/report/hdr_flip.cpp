@@ -82,8 +82,7 @@ std::vector<float> hdrFlipMap(const Image& test, const std::string& testName, co
   std::vector<float> greatest;
   for (int i = 0; i < range.count; ++i) {
     const double stops = range.start + (range.stop - range.start) * i / (range.count - 1);
-    const std::vector<float> map =
-        ldrFlipMap(shownAt(test, stops, testName), shownAt(reference, stops, referenceName));
+    const std::vector<float> map = ldrFlipMap(shownAt(test, stops, testName), shownAt(reference, stops, referenceName));
     if (greatest.empty()) greatest = map;
     std::transform(greatest.begin(), greatest.end(), map.begin(), greatest.begin(),
                    [](float a, float b) { return std::max(a, b); });

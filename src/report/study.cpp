@@ -23,7 +23,8 @@ StudyReport study(const std::vector<StudyConfig>& configs, const Scene& scene, L
     StudyResult result{config, {}, {}, {}};
     result.config.job.aovs = studyLayers();
     const auto start = std::chrono::steady_clock::now();
-    RenderResult rendered = render(result.config.job, scene, log, isInterrupted, [](const RenderProgress&) {}, start);
+    RenderResult rendered = render(
+        result.config.job, scene, log, isInterrupted, [](const RenderProgress&) {}, start);
     if (rendered.stats.passes == 0) break;
     result.image = std::move(rendered.image);
     result.stats = std::move(rendered.stats);

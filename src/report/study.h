@@ -1,5 +1,5 @@
-/// The talk's figures for any scene: importons, importance, required density, photon hits, photon density, the maps seen
-/// directly and the image, for several ways to store photons.
+/// The talk's figures for any scene: importons, importance, required density, photon hits, photon density, the maps
+/// seen directly and the image, for several ways to store photons.
 #pragma once
 #include <atomic>
 #include <functional>

@@ -34,33 +34,35 @@ double meanOf(const Image& image, const std::string& layer) {
 
 Json densityJson(const Image& image, const std::string& map) {
   Json json;
-  for (const char* layer : {"importance", "required", "density"}) json[layer] = meanOf(image, std::string(layer) + "." + map);
+  for (const char* layer : {"importance", "required", "density"})
+    json[layer] = meanOf(image, std::string(layer) + "." + map);
   return json;
 }
 
 Json resultJson(const StudyResult& result) {
   const RenderStats& stats = result.stats;
-  return {{"name", result.config.name},
-          {"options", result.config.options},
-          {"passes", stats.passes},
-          {"seconds",
-           {{"total", stats.seconds.total},
-            {"importance", stats.seconds.importance},
-            {"photons", stats.seconds.photons},
-            {"gather", stats.seconds.gather}}},
-          {"importons",
-           {{"emitted", stats.importonsEmitted}, {"caustic", stats.importonsCaustic}, {"global", stats.importonsGlobal}}},
-          {"photons",
-           {{"emitted", stats.photonsEmitted}, {"caustic", mapJson(stats.caustic)}, {"global", mapJson(stats.global)}}},
-          {"mean_where_seen",
-           {{"caustic", densityJson(result.image, "caustic")}, {"global", densityJson(result.image, "global")}}},
-          {"photon_map_bytes", stats.photonMapBytes},
-          {"against_first",
-           {{"relmse", result.againstFirst.relmse},
-            {"relmse_trimmed", result.againstFirst.relmseTrimmed},
-            {"smape", result.againstFirst.smape},
-            {"mean_ratio", result.againstFirst.meanRatio},
-            {"flip", result.againstFirst.flip}}}};
+  return {
+      {"name", result.config.name},
+      {"options", result.config.options},
+      {"passes", stats.passes},
+      {"seconds",
+       {{"total", stats.seconds.total},
+        {"importance", stats.seconds.importance},
+        {"photons", stats.seconds.photons},
+        {"gather", stats.seconds.gather}}},
+      {"importons",
+       {{"emitted", stats.importonsEmitted}, {"caustic", stats.importonsCaustic}, {"global", stats.importonsGlobal}}},
+      {"photons",
+       {{"emitted", stats.photonsEmitted}, {"caustic", mapJson(stats.caustic)}, {"global", mapJson(stats.global)}}},
+      {"mean_where_seen",
+       {{"caustic", densityJson(result.image, "caustic")}, {"global", densityJson(result.image, "global")}}},
+      {"photon_map_bytes", stats.photonMapBytes},
+      {"against_first",
+       {{"relmse", result.againstFirst.relmse},
+        {"relmse_trimmed", result.againstFirst.relmseTrimmed},
+        {"smape", result.againstFirst.smape},
+        {"mean_ratio", result.againstFirst.meanRatio},
+        {"flip", result.againstFirst.flip}}}};
 }
 
 Json reportJson(const StudyTitle& title, const StudyReport& report) {

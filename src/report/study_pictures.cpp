@@ -10,17 +10,18 @@
 namespace importon {
 namespace {
 
-constexpr double kDecades = 4;           // of a scale, downwards from its top
-constexpr double kShownShare = 0.999;    // of the values that are not 0 lie below the top
+constexpr double kDecades = 4;         // of a scale, downwards from its top
+constexpr double kShownShare = 0.999;  // of the values that are not 0 lie below the top
 
 /// What a layer shows, without the map's name.
 struct Layer {
   const char *name, *title, *unit, *text;
 };
 
-constexpr Layer kImportons{"importons", "Importons", "importons per pixel",
-                           "Where importons lie that the camera sees: each counts a share of the pixels that would read "
-                           "the map there."};
+constexpr Layer kImportons{
+    "importons", "Importons", "importons per pixel",
+    "Where importons lie that the camera sees: each counts a share of the pixels that would read "
+    "the map there."};
 constexpr Layer kImportance{"importance", "Importance Γ", "pixels/m²",
                             "Flux of importons per area: how many pixels, or shares of them, read the map there."};
 constexpr Layer kRequired{"required", "Required density", "photons/m²",
@@ -103,14 +104,20 @@ StudyFigure lightFigure(const StudyReport& report, const std::string& title, con
 /// LDR-FLIP of every other image against the first one.
 StudyFigure differenceFigure(const StudyReport& report) {
   const StudyResult& first = report.results.front();
-  StudyFigure figure{"Difference of the images", "LDR-FLIP against the first way to render: what an eye sees when one "
-                     "image is shown after the other. Noise counts too.", "FLIP", 0, 1, {}};
+  StudyFigure figure{"Difference of the images",
+                     "LDR-FLIP against the first way to render: what an eye sees when one "
+                     "image is shown after the other. Noise counts too.",
+                     "FLIP",
+                     0,
+                     1,
+                     {}};
   const float exposure = autoExposure(colorOf(first, ""), "image");
   const ShownImage shown = toneMapped(colorOf(first, ""), exposure, "image");
   for (std::size_t i = 1; i < report.results.size(); ++i) {
     const Image image = colorOf(report.results[i], "");
-    figure.pictures.push_back({report.results[i].config.name + " against " + first.config.name,
-                               falseColors(image.width, image.height, ldrFlipMap(toneMapped(image, exposure, "image"), shown))});
+    figure.pictures.push_back(
+        {report.results[i].config.name + " against " + first.config.name,
+         falseColors(image.width, image.height, ldrFlipMap(toneMapped(image, exposure, "image"), shown))});
   }
   return figure;
 }

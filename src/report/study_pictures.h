@@ -17,8 +17,8 @@ struct StudyPicture {
 /// Pictures that belong together and can be wiped over each other.
 struct StudyFigure {
   std::string title, text;
-  std::string unit;            // of the scale; empty: light, without a scale
-  double low = 0, high = 0;    // black and pale yellow stand for at most `low` and at least `high`
+  std::string unit;          // of the scale; empty: light, without a scale
+  double low = 0, high = 0;  // black and pale yellow stand for at most `low` and at least `high`
   std::vector<StudyPicture> pictures;
 };
 

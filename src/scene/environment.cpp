@@ -5,14 +5,12 @@
 #include <glm/gtc/constants.hpp>
 
 #include "base/error.h"
+#include "scene/light_math.h"
 
 namespace importon {
 namespace {
 
-constexpr double kPi = glm::pi<double>();
 constexpr float kBrightest = 1e12f;
-
-double meanOf(const vec3& color) { return (static_cast<double>(color.x) + color.y + color.z) / 3.0; }
 
 double lightAt(const EnvironmentMap& map, int x, int y) {
   const int column = (x + map.width) % map.width, row = std::clamp(y, 0, map.height - 1);
@@ -41,8 +39,8 @@ vec3 meanRadiance(const EnvironmentMap& map) {
   for (int y = 0; y < map.height; ++y) {
     glm::dvec3 row(0.0);
     for (int x = 0; x < map.width; ++x)
-      row += glm::dvec3(map.texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
-                                   static_cast<std::size_t>(x)]);
+      row += glm::dvec3(
+          map.texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x)]);
     sum += row * texelSolidAngle(map, y);
   }
   return vec3(sum / (4 * kPi));
@@ -58,15 +56,12 @@ std::vector<float> environmentDensities(const EnvironmentMap& map) {
     }
   }
   std::vector<float> densities;
-  for (const double value : light)
-    densities.push_back(static_cast<float>(sum > 0 ? value / sum : 1 / (4 * kPi)));
+  for (const double value : light) densities.push_back(static_cast<float>(sum > 0 ? value / sum : 1 / (4 * kPi)));
   return densities;
 }
 
 void checkEnvironment(const EnvironmentMap& map, const std::string& where) {
-  const auto fail = [&](const char* what) {
-    throw SceneError(what, where, "give a lat-long image of radiance");
-  };
+  const auto fail = [&](const char* what) { throw SceneError(what, where, "give a lat-long image of radiance"); };
   if (map.width < 1 || map.height < 1) fail("the environment map is empty");
   if (map.texels.size() != static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height))
     fail("the environment map is not whole");

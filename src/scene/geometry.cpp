@@ -101,10 +101,9 @@ class Assembler {
 
   void warn(Log& log) const {
     if (nonFinite_ > 0) {
-      log.warn("non-finite triangles",
-               fmt::format("{}: {} triangles with a corner that is not finite or beyond {} "
-                           "were dropped",
-                           name_, nonFinite_, kLargestCoordinate));
+      log.warn("non-finite triangles", fmt::format("{}: {} triangles with a corner that is not finite or beyond {} "
+                                                   "were dropped",
+                                                   name_, nonFinite_, kLargestCoordinate));
     }
     if (withoutArea_ > 0) {
       log.warn("triangles without area",
@@ -199,8 +198,7 @@ glm::dvec3 chooseOrigin(const glm::dvec3& low, const glm::dvec3& high) {
   return rounded;
 }
 
-void assembleGeometry(std::span<const MeshInstance> instances, Scene& scene, const std::string& name,
-                      Log& log) {
+void assembleGeometry(std::span<const MeshInstance> instances, Scene& scene, const std::string& name, Log& log) {
   glm::dvec3 low(kLargestCoordinate);
   glm::dvec3 high(-kLargestCoordinate);
   worldBounds(instances, low, high);

@@ -34,8 +34,7 @@ struct Elements {
 };
 
 /// The elements from `byteOffset` of a buffer view on, all of them inside of it.
-Elements locate(const Context& context, int bufferView, std::size_t byteOffset, std::size_t count,
-                std::size_t bytes) {
+Elements locate(const Context& context, int bufferView, std::size_t byteOffset, std::size_t count, std::size_t bytes) {
   const tinygltf::Model& model = context.document.model;
   const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(bufferView)];
   const std::vector<unsigned char>& buffer = model.buffers[static_cast<std::size_t>(view.buffer)].data;
@@ -46,8 +45,8 @@ Elements locate(const Context& context, int bufferView, std::size_t byteOffset, 
   const bool isInside = byteOffset <= view.byteLength && bytes <= view.byteLength - byteOffset &&
                         count - 1 <= (view.byteLength - byteOffset - bytes) / stride;
   if (!isInside) {
-    context.fail(fmt::format("{} elements of {} bytes from byte {} on reach past the buffer view of {} bytes",
-                             count, bytes, byteOffset, view.byteLength));
+    context.fail(fmt::format("{} elements of {} bytes from byte {} on reach past the buffer view of {} bytes", count,
+                             bytes, byteOffset, view.byteLength));
   }
   const std::size_t first = view.byteOffset + byteOffset;
   return {std::span(buffer).subspan(first, (count - 1) * stride + bytes), count, bytes, stride};
@@ -113,8 +112,7 @@ void convert(const Elements& elements, bool isNormalized, int components, glm::v
 }
 
 template <int N>
-void convertAny(const Elements& elements, const tinygltf::Accessor& accessor, int components,
-                glm::vec<N, float>* out) {
+void convertAny(const Elements& elements, const tinygltf::Accessor& accessor, int components, glm::vec<N, float>* out) {
   switch (accessor.componentType) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
       return convert<std::int8_t, N>(elements, accessor.normalized, components, out);
@@ -131,8 +129,7 @@ void convertAny(const Elements& elements, const tinygltf::Accessor& accessor, in
   }
 }
 
-std::vector<std::uint32_t> unsignedIntegers(const Context& context, const Elements& elements,
-                                            int componentType) {
+std::vector<std::uint32_t> unsignedIntegers(const Context& context, const Elements& elements, int componentType) {
   std::vector<std::uint32_t> values(elements.count);
   const unsigned char* element = elements.data.data();
   for (std::uint32_t& value : values) {
@@ -174,9 +171,8 @@ template <int N>
 void applySparse(const Context& context, const tinygltf::Accessor& accessor, int components, std::size_t bytes,
                  std::vector<glm::vec<N, float>>& values) {
   const std::vector<std::uint32_t> places = sparseIndices(context, accessor);
-  const Elements elements =
-      locate(context, accessor.sparse.values.bufferView,
-             static_cast<std::size_t>(accessor.sparse.values.byteOffset), places.size(), bytes);
+  const Elements elements = locate(context, accessor.sparse.values.bufferView,
+                                   static_cast<std::size_t>(accessor.sparse.values.byteOffset), places.size(), bytes);
   std::vector<glm::vec<N, float>> replacements(places.size(), glm::vec<N, float>(1.0f));
   convertAny<N>(elements, accessor, components, replacements.data());
   for (std::size_t i = 0; i < places.size(); ++i) values[places[i]] = replacements[i];
@@ -193,8 +189,7 @@ std::vector<glm::vec<N, float>> readFloats(const GltfDocument& document, int acc
   if (components != N && !(N == 4 && components == 3)) {
     context.fail(fmt::format("accessor {} does not hold vectors of {} numbers", accessorIndex, N));
   }
-  const std::size_t bytes =
-      componentBytes(context, accessor.componentType) * static_cast<std::size_t>(components);
+  const std::size_t bytes = componentBytes(context, accessor.componentType) * static_cast<std::size_t>(components);
   std::vector<glm::vec<N, float>> values;
   if (accessor.bufferView >= 0) {
     const Elements elements = locate(context, accessor.bufferView, accessor.byteOffset, accessor.count, bytes);
@@ -203,8 +198,7 @@ std::vector<glm::vec<N, float>> readFloats(const GltfDocument& document, int acc
   } else if (accessor.count <= kMostZeroElements) {
     values.resize(accessor.count, glm::vec<N, float>(0.0f));
   } else {
-    context.fail(
-        fmt::format("{} elements without a buffer view are more than {}", accessor.count, kMostZeroElements));
+    context.fail(fmt::format("{} elements without a buffer view are more than {}", accessor.count, kMostZeroElements));
   }
   if (accessor.sparse.isSparse) applySparse<N>(context, accessor, components, bytes, values);
   return values;
@@ -214,8 +208,7 @@ template std::vector<glm::vec2> readFloats<2>(const GltfDocument&, int, const st
 template std::vector<glm::vec3> readFloats<3>(const GltfDocument&, int, const std::string&);
 template std::vector<glm::vec4> readFloats<4>(const GltfDocument&, int, const std::string&);
 
-std::vector<std::uint32_t> readIndices(const GltfDocument& document, int accessorIndex,
-                                       const std::string& pointer) {
+std::vector<std::uint32_t> readIndices(const GltfDocument& document, int accessorIndex, const std::string& pointer) {
   const Context context{document, pointer};
   const tinygltf::Accessor& accessor = document.model.accessors[static_cast<std::size_t>(accessorIndex)];
   if (accessor.type != TINYGLTF_TYPE_SCALAR || accessor.normalized || accessor.bufferView < 0) {
@@ -227,16 +220,15 @@ std::vector<std::uint32_t> readIndices(const GltfDocument& document, int accesso
   if (accessor.sparse.isSparse) {
     const std::vector<std::uint32_t> places = sparseIndices(context, accessor);
     const Elements replacements =
-        locate(context, accessor.sparse.values.bufferView,
-               static_cast<std::size_t>(accessor.sparse.values.byteOffset), places.size(), bytes);
+        locate(context, accessor.sparse.values.bufferView, static_cast<std::size_t>(accessor.sparse.values.byteOffset),
+               places.size(), bytes);
     const std::vector<std::uint32_t> replaced = unsignedIntegers(context, replacements, accessor.componentType);
     for (std::size_t i = 0; i < places.size(); ++i) values[places[i]] = replaced[i];
   }
   return values;
 }
 
-std::vector<glm::mat4> readMatrices(const GltfDocument& document, int accessorIndex,
-                                    const std::string& pointer) {
+std::vector<glm::mat4> readMatrices(const GltfDocument& document, int accessorIndex, const std::string& pointer) {
   const Context context{document, pointer};
   const tinygltf::Accessor& accessor = document.model.accessors[static_cast<std::size_t>(accessorIndex)];
   const bool isPlain = accessor.type == TINYGLTF_TYPE_MAT4 && accessor.bufferView >= 0 &&

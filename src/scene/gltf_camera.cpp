@@ -8,12 +8,11 @@
 #include <utility>
 
 #include "base/error.h"
+#include "scene/gltf_advice.h"
 #include "scene/gltf_json.h"
 
 namespace importon {
 namespace {
-
-constexpr const char* kExportAgain = "correct the file or export it again";
 
 /// Orthonormal axes with the handedness of `worldFromNode`; z is kept, y is made normal to it.
 glm::dmat4 withoutScale(const glm::dmat4& worldFromNode, const std::string& where) {

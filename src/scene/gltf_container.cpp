@@ -16,7 +16,7 @@ constexpr std::uint32_t kJsonChunk = 0x4E4F534A;  // "JSON"
 constexpr std::uint32_t kBinChunk = 0x004E4942;   // "BIN"
 constexpr std::size_t kHeaderBytes = 12;
 constexpr std::size_t kChunkHeaderBytes = 8;
-constexpr const char* kExportAgain = "copy or export the file again";
+constexpr const char* kCopyAgain = "copy or export the file again";
 
 std::uint32_t word(std::span<const std::byte> bytes, std::size_t offset) {
   std::uint32_t value = 0;
@@ -32,32 +32,30 @@ std::string_view text(std::span<const std::byte> bytes) {
 std::span<const std::byte> chunk(std::span<const std::byte> file, std::size_t offset, std::uint32_t type,
                                  const char* name, const GltfSource& source) {
   if (file.size() - offset < kChunkHeaderBytes) {
-    throw SceneError(fmt::format("the .glb ends before its {} chunk", name), source.name(), kExportAgain);
+    throw SceneError(fmt::format("the .glb ends before its {} chunk", name), source.name(), kCopyAgain);
   }
   const std::size_t length = word(file, offset);
   if (word(file, offset + 4) != type) {
-    throw SceneError(fmt::format("the .glb has no {} chunk at byte {}", name, offset), source.name(),
-                     kExportAgain);
+    throw SceneError(fmt::format("the .glb has no {} chunk at byte {}", name, offset), source.name(), kCopyAgain);
   }
   if (length > file.size() - offset - kChunkHeaderBytes) {
     throw SceneError(fmt::format("the {} chunk of {} bytes reaches past the end of the .glb", name, length),
-                     source.name(), kExportAgain);
+                     source.name(), kCopyAgain);
   }
   return file.subspan(offset + kChunkHeaderBytes, length);
 }
 
 GltfContainer readBinary(std::span<const std::byte> bytes, const GltfSource& source) {
   if (bytes.size() < kHeaderBytes + kChunkHeaderBytes) {
-    throw SceneError("the .glb is cut off in its header", source.name(), kExportAgain);
+    throw SceneError("the .glb is cut off in its header", source.name(), kCopyAgain);
   }
   if (word(bytes, 4) != 2) {
-    throw SceneError(fmt::format("the .glb has version {}", word(bytes, 4)), source.name(),
-                     "convert it to glTF 2.0");
+    throw SceneError(fmt::format("the .glb has version {}", word(bytes, 4)), source.name(), "convert it to glTF 2.0");
   }
   const std::size_t length = word(bytes, 8);
   if (length > bytes.size() || length < kHeaderBytes + kChunkHeaderBytes) {
-    throw SceneError(fmt::format("the .glb says it has {} bytes but has {}", length, bytes.size()),
-                     source.name(), kExportAgain);
+    throw SceneError(fmt::format("the .glb says it has {} bytes but has {}", length, bytes.size()), source.name(),
+                     kCopyAgain);
   }
   const std::span<const std::byte> file = bytes.first(length);
   const std::span<const std::byte> json = chunk(file, kHeaderBytes, kJsonChunk, "JSON", source);
@@ -93,10 +91,9 @@ void checkDepth(std::string_view json, const GltfSource& source) {
 }  // namespace
 
 GltfContainer readContainer(std::span<const std::byte> bytes, const GltfSource& source) {
-  if (bytes.empty()) throw SceneError("the file is empty", source.name(), kExportAgain);
+  if (bytes.empty()) throw SceneError("the file is empty", source.name(), kCopyAgain);
   if (bytes.size() > std::numeric_limits<std::int32_t>::max()) {
-    throw SceneError("the file is larger than 2 GiB", source.name(),
-                     "keep buffers and images in files of their own");
+    throw SceneError("the file is larger than 2 GiB", source.name(), "keep buffers and images in files of their own");
   }
   const bool isBinary = bytes.size() >= 4 && word(bytes, 0) == kMagic;
   const GltfContainer container = isBinary ? readBinary(bytes, source) : GltfContainer{false, text(bytes), {}};

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "scene/gltf_advice.h"
 #include "scene/gltf_container.h"
 #include "scene/gltf_extensions.h"
 #include "scene/gltf_resources.h"
@@ -13,14 +14,11 @@
 namespace importon {
 namespace {
 
-constexpr const char* kExportAgain = "correct the file or export it again";
-
 nlohmann::json parseJson(std::string_view text, const GltfSource& source) {
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::exception& error) {
-    throw SceneError(fmt::format("the JSON is malformed: {}", printable(error.what())), source.name(),
-                     kExportAgain);
+    throw SceneError(fmt::format("the JSON is malformed: {}", printable(error.what())), source.name(), kExportAgain);
   }
 }
 
@@ -64,37 +62,35 @@ bool takeResource(std::vector<unsigned char>* bytes, std::string*, const std::st
 }
 
 /// Keeps the bytes of an image with a URI as they are; those in a buffer view stay there.
-bool keepImageBytes(tinygltf::Image* image, int, std::string*, std::string*, int, int,
-                    const unsigned char* bytes, int size, void*) {
+bool keepImageBytes(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
+                    int size, void*) {
   if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
   return true;
 }
 
 /// tinygltf sees no file system: what it may read lies in `resources`.
-tinygltf::Model parseModel(std::span<const std::byte> bytes, const GltfContainer& container,
-                           GltfResources& resources, const GltfSource& source) {
+tinygltf::Model parseModel(std::span<const std::byte> bytes, const GltfContainer& container, GltfResources& resources,
+                           const GltfSource& source) {
   tinygltf::TinyGLTF parser;
   parser.SetImageLoader(keepImageBytes, nullptr);
   parser.SetFsCallbacks({[](const std::string&, void*) { return true; },
-                         [](const std::string& name, void*) { return name; }, takeResource, nullptr,
-                         &resources});
+                         [](const std::string& name, void*) { return name; }, takeResource, nullptr, &resources});
   tinygltf::Model model;
   std::string error;
   std::string warning;
   bool isLoaded = false;
   try {
-    isLoaded = container.isBinary
-                   ? parser.LoadBinaryFromMemory(&model, &error, &warning,
-                                                 reinterpret_cast<const unsigned char*>(bytes.data()),
-                                                 static_cast<unsigned>(bytes.size()))
-                   : parser.LoadASCIIFromString(&model, &error, &warning, container.json.data(),
-                                                static_cast<unsigned>(container.json.size()), "");
+    isLoaded = container.isBinary ? parser.LoadBinaryFromMemory(&model, &error, &warning,
+                                                                reinterpret_cast<const unsigned char*>(bytes.data()),
+                                                                static_cast<unsigned>(bytes.size()))
+                                  : parser.LoadASCIIFromString(&model, &error, &warning, container.json.data(),
+                                                               static_cast<unsigned>(container.json.size()), "");
   } catch (const std::exception& exception) {
     error = exception.what();
   }
   if (!isLoaded) {
-    throw SceneError(fmt::format("malformed glTF: {}", printable(error.substr(0, error.find('\n')))),
-                     source.name(), kExportAgain);
+    throw SceneError(fmt::format("malformed glTF: {}", printable(error.substr(0, error.find('\n')))), source.name(),
+                     kExportAgain);
   }
   return model;
 }

@@ -12,11 +12,9 @@ namespace importon {
 namespace {
 
 constexpr std::array<std::string_view, 11> kKnownExtensions = {
-    "EXT_lights_image_based",
-    "KHR_lights_punctual",  "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
-    "KHR_materials_ior",    "KHR_materials_specular",  "KHR_materials_transmission",
-    "KHR_materials_unlit",  "KHR_materials_volume",    "KHR_mesh_quantization",
-    "KHR_texture_transform"};
+    "EXT_lights_image_based", "KHR_lights_punctual",    "KHR_materials_clearcoat",    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",      "KHR_materials_specular", "KHR_materials_transmission", "KHR_materials_unlit",
+    "KHR_materials_volume",   "KHR_mesh_quantization",  "KHR_texture_transform"};
 
 bool isKnown(std::string_view name) {
   return std::find(kKnownExtensions.begin(), kKnownExtensions.end(), name) != kKnownExtensions.end();
@@ -26,8 +24,7 @@ bool isKnown(std::string_view name) {
 
 void checkExtensions(const nlohmann::json& document, const GltfSource& source, Log& log) {
   const nlohmann::json none = nlohmann::json::array();
-  const nlohmann::json& required =
-      document.contains("extensionsRequired") ? document["extensionsRequired"] : none;
+  const nlohmann::json& required = document.contains("extensionsRequired") ? document["extensionsRequired"] : none;
   for (std::size_t i = 0; i < required.size(); ++i) {
     const auto& name = required[i].get_ref<const std::string&>();
     if (isKnown(name)) continue;

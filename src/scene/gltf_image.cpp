@@ -46,8 +46,7 @@ std::vector<ImageUse> placeImages(const GltfDocument& document, const std::set<s
   std::vector<ImageUse> images;
   std::size_t texelCount = 0;
   for (const std::size_t index : indices) {
-    ImageUse image{
-        encodedImage(document.model, index), document.source.at(fmt::format("/images/{}", index)), {}, 0};
+    ImageUse image{encodedImage(document.model, index), document.source.at(fmt::format("/images/{}", index)), {}, 0};
     image.size = readImageSize(image.bytes, image.where);
     image.firstTexel = texelCount;
     texelCount += image.size.texels();

@@ -13,12 +13,12 @@
 #include "scene/gltf_json.h"
 #include "scene/gltf_nodes.h"
 #include "scene/image_decode.h"
+#include "scene/light_math.h"
 
 namespace importon {
 namespace {
 
 using glm::dvec3;
-constexpr double kPi = glm::pi<double>();
 constexpr const char* kName = "EXT_lights_image_based";
 constexpr std::size_t kLargestFace = 2048;
 
@@ -44,7 +44,8 @@ std::vector<dvec3> radianceOf(const std::vector<uint>& texels) {
   radiance.reserve(texels.size());
   for (const uint texel : texels) {
     const double divisor = std::max(texel >> 24, 1u) / 255.0;
-    radiance.push_back(dvec3(linearOf(texel & 255u), linearOf((texel >> 8) & 255u), linearOf((texel >> 16) & 255u)) / divisor);
+    radiance.push_back(dvec3(linearOf(texel & 255u), linearOf((texel >> 8) & 255u), linearOf((texel >> 16) & 255u)) /
+                       divisor);
   }
   return radiance;
 }
@@ -59,8 +60,8 @@ class Cube {
       const ImageSize size = readImageSize(bytes, place);
       if (face == 0) side_ = size.width;
       if (size.width != side_ || size.height != side_ || side_ > kLargestFace)
-        throw SceneError(fmt::format("the faces of the cube are not all squares of one size up to {}", kLargestFace), where,
-                         "export the pictures again");
+        throw SceneError(fmt::format("the faces of the cube are not all squares of one size up to {}", kLargestFace),
+                         where, "export the pictures again");
       std::vector<uint> texels(size.texels());
       decodeImage(bytes, texels, place);
       faces_[face] = radianceOf(texels);
@@ -102,7 +103,8 @@ EnvironmentMap mapOf(int height, const glm::dquat& rotation, double intensity, c
     for (int x = 0; x < map.width; ++x) {
       dvec3 sum(0.0);
       for (int k = 0; k < 4; ++k)
-        sum += radiance(back * directionAt((x + 0.25 + 0.5 * (k % 2)) / map.width, (y + 0.25 + 0.5 * (k / 2)) / map.height));
+        sum += radiance(back *
+                        directionAt((x + 0.25 + 0.5 * (k % 2)) / map.width, (y + 0.25 + 0.5 * (k / 2)) / map.height));
       map.texels.emplace_back(glm::min(0.25 * intensity * sum, dvec3(1e12)));
     }
   }
@@ -137,11 +139,13 @@ glm::dquat rotationOf(const nlohmann::json& light, const std::string& where) {
 }  // namespace
 
 std::optional<EnvironmentMap> readImageLight(const GltfDocument& document, Log& log) {
-  const nlohmann::json& use = member(element(member(document.json, "scenes"), defaultScene(document)), "extensions", kName);
+  const nlohmann::json& use =
+      member(element(member(document.json, "scenes"), defaultScene(document)), "extensions", kName);
   const int index = integerOr(use, "light", -1);
   if (index < 0) return std::nullopt;
   const std::string where = document.source.at(fmt::format("/extensions/{}/lights/{}", kName, index));
-  const nlohmann::json& light = element(member(document.json, "extensions", kName, "lights"), static_cast<std::size_t>(index));
+  const nlohmann::json& light =
+      element(member(document.json, "extensions", kName, "lights"), static_cast<std::size_t>(index));
   const glm::dquat rotation = rotationOf(light, where);
   const double intensity = numberOr(light, "intensity", 1.0);
   const nlohmann::json& images = element(member(light, "specularImages"), 0);

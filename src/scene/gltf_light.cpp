@@ -6,26 +6,24 @@
 #include <glm/gtc/constants.hpp>
 
 #include "base/error.h"
+#include "scene/gltf_advice.h"
 #include "scene/gltf_json.h"
 #include "scene/lights.h"
 
 namespace importon {
 namespace {
 
-constexpr const char* kExportAgain = "correct the file or export it again";
-
 /// The cosines of the cone, apart by at least what a float can divide by.
 void setCone(const tinygltf::Light& source, const std::string& where, Light& light) {
   const double inner = source.spot.innerConeAngle;
   const double outer = source.spot.outerConeAngle;
   if (!(inner <= outer && outer > 0 && outer <= glm::half_pi<double>() + 1e-6)) {
-    throw SceneError(fmt::format("cone angles {} and {} are not 0 <= inner <= outer <= pi/2", inner, outer),
-                     where, kExportAgain);
+    throw SceneError(fmt::format("cone angles {} and {} are not 0 <= inner <= outer <= pi/2", inner, outer), where,
+                     kExportAgain);
   }
   constexpr double kLeastGap = 1e-6;
   light.cosOuter = static_cast<float>(std::min(std::cos(outer), 1.0 - kLeastGap));
-  light.cosInner =
-      std::max(static_cast<float>(std::cos(inner)), light.cosOuter + static_cast<float>(kLeastGap));
+  light.cosInner = std::max(static_cast<float>(std::cos(inner)), light.cosOuter + static_cast<float>(kLeastGap));
 }
 
 Light readLight(const tinygltf::Light& source, const std::string& where, float sceneRadius) {
@@ -72,11 +70,9 @@ std::vector<Light> readPunctualLights(const GltfDocument& document, std::span<co
     const nlohmann::json& use = member(element(jsonNodes, placed.node), "extensions", "KHR_lights_punctual");
     const int index = integerOr(use, "light", -1);
     if (index < 0) continue;
-    const std::string where =
-        document.source.at(fmt::format("/extensions/KHR_lights_punctual/lights/{}", index));
+    const std::string where = document.source.at(fmt::format("/extensions/KHR_lights_punctual/lights/{}", index));
     Light light = readLight(document.model.lights[static_cast<std::size_t>(index)], where, sceneRadius);
-    place(placed.worldFromObject, worldFromRender, document.source.at(fmt::format("/nodes/{}", placed.node)),
-          light);
+    place(placed.worldFromObject, worldFromRender, document.source.at(fmt::format("/nodes/{}", placed.node)), light);
     if (light.power > 0) lights.push_back(light);
   }
   return lights;

@@ -13,8 +13,7 @@ namespace importon {
 
 /// The lights of `nodes` in render space, world = render + worldFromRender; `sceneRadius` in m gives
 /// directional lights their power. Candela and lux are taken as W/sr and W/m². Throws SceneError.
-[[nodiscard]] std::vector<Light> readPunctualLights(const GltfDocument& document,
-                                                    std::span<const PlacedNode> nodes,
+[[nodiscard]] std::vector<Light> readPunctualLights(const GltfDocument& document, std::span<const PlacedNode> nodes,
                                                     const glm::dvec3& worldFromRender, float sceneRadius);
 
 /// extras.environment of the default scene: {"type": "constant", "radiance": [r, g, b]}. Other types are passed

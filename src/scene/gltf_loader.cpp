@@ -49,8 +49,7 @@ void completeAttributes(MeshLibrary& library, const MaterialSet& set, const std:
     const unsigned missing = (part.uv0.empty() ? 1u : 0u) | (part.uv1.empty() ? 2u : 0u);
     if ((uvSetsOf(material, set.textures) & missing) != 0) {
       log.warn("texture without coordinates",
-               fmt::format("{}: a mesh lacks the texture coordinates that its material reads; (0, 0) stands in",
-                           name));
+               fmt::format("{}: a mesh lacks the texture coordinates that its material reads; (0, 0) stands in", name));
     }
     const uint normalTexture =
         material.normalTexture != kNone ? material.normalTexture : material.clearcoatNormalTexture;
@@ -70,10 +69,9 @@ void addLights(const GltfDocument& document, std::span<const PlacedNode> nodes,
   if (!scene.environment) scene.environment = readEnvironment(document, log);
   addEnvironmentLight(scene);
   if (!scene.lights.empty()) return;
-  throw SceneError(
-      "the scene has no light", document.source.name(),
-      "give a material emissiveFactor, add KHR_lights_punctual or extras.environment to the scene, or use "
-      "--environment");
+  throw SceneError("the scene has no light", document.source.name(),
+                   "give a material emissiveFactor, add KHR_lights_punctual or extras.environment to the scene, or use "
+                   "--environment");
 }
 
 void addCameras(const GltfDocument& document, std::span<const PlacedNode> nodes, Scene& scene) {
@@ -101,9 +99,8 @@ Scene loadGltf(const std::filesystem::path& file, Log& log, std::optional<Enviro
   return loadGltfFromMemory(std::as_bytes(std::span(bytes)), file, folder, log, std::move(environment));
 }
 
-Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem::path& name,
-                         const AssetFolder& folder, Log& log,
-                         std::optional<EnvironmentMap> environment) {
+Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem::path& name, const AssetFolder& folder,
+                         Log& log, std::optional<EnvironmentMap> environment) {
   const GltfDocument document = readDocument(bytes, name, folder, log);
   const std::vector<PlacedNode> nodes = placeNodes(document);
   MeshLibrary library(document, log);

@@ -79,8 +79,8 @@ class MaterialReader {
     const Json& volume = extension("KHR_materials_volume");
     if (numberOr(volume, "thicknessFactor", 0.0) <= 0.0) return;
     material_.flags |= kMaterialSolid;
-    material_.absorption = absorption(vectorOr<3>(volume, "attenuationColor", vec3(1.0f)),
-                                      numberOr(volume, "attenuationDistance", 0.0));
+    material_.absorption =
+        absorption(vectorOr<3>(volume, "attenuationColor", vec3(1.0f)), numberOr(volume, "attenuationDistance", 0.0));
   }
 
   /// KHR_materials_ior: at least 1, or 0 for a surface that reflects all light, here a very dense one.
@@ -114,8 +114,7 @@ class MaterialReader {
     if (material_.clearcoat == 0) return;
     material_.clearcoatNormalTexture = texture(clearcoat, place, "clearcoatNormalTexture", ColorMeaning::linear);
     material_.clearcoatTexture = texture(clearcoat, place, "clearcoatTexture", ColorMeaning::linear);
-    material_.clearcoatRoughnessTexture =
-        texture(clearcoat, place, "clearcoatRoughnessTexture", ColorMeaning::linear);
+    material_.clearcoatRoughnessTexture = texture(clearcoat, place, "clearcoatRoughnessTexture", ColorMeaning::linear);
   }
 
   void readAlpha() {
@@ -144,11 +143,10 @@ Material defaultMaterial() {
   material.normalScale = 1.0f;
   material.clearcoatNormalScale = 1.0f;
   material.alphaCutoff = 0.5f;
-  for (uint* texture :
-       {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-        &material.emissiveTexture, &material.transmissionTexture, &material.specularTexture,
-        &material.specularColorTexture, &material.clearcoatTexture, &material.clearcoatRoughnessTexture,
-        &material.clearcoatNormalTexture}) {
+  for (uint* texture : {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
+                        &material.emissiveTexture, &material.transmissionTexture, &material.specularTexture,
+                        &material.specularColorTexture, &material.clearcoatTexture, &material.clearcoatRoughnessTexture,
+                        &material.clearcoatNormalTexture}) {
     *texture = kNone;
   }
   return material;
@@ -157,10 +155,9 @@ Material defaultMaterial() {
 unsigned uvSetsOf(const Material& material, const std::vector<Texture>& textures) {
   unsigned sets = 0;
   for (const uint texture :
-       {material.baseColorTexture, material.metallicRoughnessTexture, material.normalTexture,
-        material.emissiveTexture, material.transmissionTexture, material.specularTexture,
-        material.specularColorTexture, material.clearcoatTexture, material.clearcoatRoughnessTexture,
-        material.clearcoatNormalTexture}) {
+       {material.baseColorTexture, material.metallicRoughnessTexture, material.normalTexture, material.emissiveTexture,
+        material.transmissionTexture, material.specularTexture, material.specularColorTexture,
+        material.clearcoatTexture, material.clearcoatRoughnessTexture, material.clearcoatNormalTexture}) {
     if (texture != kNone) sets |= 1u << textures[texture].uvSet;
   }
   return sets;

@@ -25,7 +25,6 @@ struct MaterialSet {
 [[nodiscard]] unsigned uvSetsOf(const Material& material, const std::vector<Texture>& textures);
 
 /// Reads the materials with isUsed[i]. Throws SceneError.
-[[nodiscard]] MaterialSet readMaterials(const GltfDocument& document, const std::vector<bool>& isUsed,
-                                        Log& log);
+[[nodiscard]] MaterialSet readMaterials(const GltfDocument& document, const std::vector<bool>& isUsed, Log& log);
 
 }  // namespace importon

@@ -7,12 +7,11 @@
 
 #include "base/error.h"
 #include "scene/gltf_accessor.h"
+#include "scene/gltf_advice.h"
 #include "scene/triangulate.h"
 
 namespace importon {
 namespace {
-
-constexpr const char* kExportAgain = "correct the file or export it again";
 
 /// Reads the attributes of one primitive.
 class PartReader {
@@ -63,8 +62,7 @@ class PartReader {
 
   /// Adds the weighted displacements of a morph target; those of an attribute that the primitive lacks go.
   template <int N, int M>
-  void displace(std::vector<glm::vec<N, float>>& base, std::size_t target, const char* name,
-                float weight) const {
+  void displace(std::vector<glm::vec<N, float>>& base, std::size_t target, const char* name, float weight) const {
     if (base.empty()) return;
     const std::string place = fmt::format("/targets/{}/{}", target, name);
     const std::vector<glm::vec<M, float>> change = values<M>(primitive_.targets[target], name, place);
@@ -104,9 +102,8 @@ class PartReader {
 
   void warnOfRest(TriangleMode mode, std::size_t corners) const {
     if (corners >= 3 && (mode != TriangleMode::triangles || corners % 3 == 0)) return;
-    log_.warn("incomplete triangle",
-              fmt::format("{}: {} corners do not make whole triangles; the rest is passed over",
-                          document_.source.at(pointer_), corners));
+    log_.warn("incomplete triangle", fmt::format("{}: {} corners do not make whole triangles; the rest is passed over",
+                                                 document_.source.at(pointer_), corners));
   }
 
   const GltfDocument& document_;
@@ -118,15 +115,14 @@ class PartReader {
 
 }  // namespace
 
-std::vector<MeshPart> readMesh(const GltfDocument& document, std::size_t mesh,
-                               const std::vector<double>& weights, Log& log) {
+std::vector<MeshPart> readMesh(const GltfDocument& document, std::size_t mesh, const std::vector<double>& weights,
+                               Log& log) {
   std::vector<MeshPart> parts;
   const std::vector<tinygltf::Primitive>& primitives = document.model.meshes[mesh].primitives;
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     const std::string pointer = fmt::format("/meshes/{}/primitives/{}", mesh, i);
     if (primitives[i].mode < TINYGLTF_MODE_TRIANGLES) {
-      log.warn("points and lines",
-               fmt::format("{}: points and lines are passed over", document.source.at(pointer)));
+      log.warn("points and lines", fmt::format("{}: points and lines are passed over", document.source.at(pointer)));
       continue;
     }
     parts.push_back(PartReader(document, primitives[i], pointer, log).read(weights));

@@ -5,15 +5,12 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "base/error.h"
+#include "scene/gltf_advice.h"
 
 namespace importon {
 namespace {
 
-constexpr const char* kExportAgain = "correct the file or export it again";
-
-std::string nodePointer(std::size_t node, const char* rest = "") {
-  return fmt::format("/nodes/{}{}", node, rest);
-}
+std::string nodePointer(std::size_t node, const char* rest = "") { return fmt::format("/nodes/{}{}", node, rest); }
 
 glm::dvec3 vectorOr(const std::vector<double>& values, double otherwise) {
   return values.size() == 3 ? glm::dvec3(values[0], values[1], values[2]) : glm::dvec3(otherwise);
@@ -24,8 +21,7 @@ glm::dmat4 matrixOf(const std::vector<double>& values, std::size_t node, const G
   for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = values[static_cast<std::size_t>(i)];
   const bool isAffine = matrix[0].w == 0 && matrix[1].w == 0 && matrix[2].w == 0 && matrix[3].w == 1;
   if (isAffine) return matrix;
-  throw SceneError("the last row of the matrix is not 0 0 0 1", source.at(nodePointer(node, "/matrix")),
-                   kExportAgain);
+  throw SceneError("the last row of the matrix is not 0 0 0 1", source.at(nodePointer(node, "/matrix")), kExportAgain);
 }
 
 /// glTF 2.0, section 3.5.3: T R S.

@@ -7,14 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "scene/gltf_advice.h"
 #include "scene/uri.h"
 
 namespace importon {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr const char* kExportAgain = "correct the file or export it again";
 
 /// The media types that tinygltf 2.7 recognises; it takes any other data URI for a file name.
 constexpr std::array<std::string_view, 7> kMediaTypes = {"application/octet-stream",
@@ -44,8 +43,8 @@ class Reader {
     if (isDataUri(uri)) {
       const std::size_t bytes = dataUriBytes(uri, where);
       if (bytes == byteLength) return;
-      throw SceneError(fmt::format("byteLength is {} but the data URI holds {} bytes", byteLength, bytes),
-                       where, kExportAgain);
+      throw SceneError(fmt::format("byteLength is {} but the data URI holds {} bytes", byteLength, bytes), where,
+                       kExportAgain);
     }
     std::vector<unsigned char>& bytes = readExternal(uri, where + "/uri");
     checkHolds(bytes.size(), byteLength, fmt::format("'{}'", printable(uri)), where);
@@ -70,8 +69,7 @@ class Reader {
   GltfResources take() { return std::move(resources_); }
 
  private:
-  static void checkHolds(std::size_t actual, std::size_t needed, const std::string& holder,
-                         const std::string& where) {
+  static void checkHolds(std::size_t actual, std::size_t needed, const std::string& holder, const std::string& where) {
     if (actual >= needed) return;
     throw SceneError(fmt::format("byteLength is {} but {} holds {} bytes", needed, holder, actual), where,
                      "copy or export the file again; it may be cut off");
@@ -82,9 +80,8 @@ class Reader {
     bool isKnown = false;
     for (const std::string_view type : kMediaTypes) isKnown = isKnown || (data && data->mediaType == type);
     if (!isKnown) {
-      throw SceneError(
-          fmt::format("data URI '{}' is not base64 of a known media type", printable(uri.substr(0, 40))), where,
-          "use data:application/octet-stream;base64, image/png or image/jpeg");
+      throw SceneError(fmt::format("data URI '{}' is not base64 of a known media type", printable(uri.substr(0, 40))),
+                       where, "use data:application/octet-stream;base64, image/png or image/jpeg");
     }
     const std::optional<std::size_t> bytes = base64DecodedSize(data->base64);
     if (!bytes) throw SceneError("the base64 of the data URI is malformed", where, kExportAgain);
@@ -104,8 +101,7 @@ class Reader {
     }
     std::error_code error;
     if (!std::filesystem::is_regular_file(*file, error)) {
-      throw SceneError(fmt::format("the file '{}' is missing", printable(uri)), where,
-                       "put it beside the glTF");
+      throw SceneError(fmt::format("the file '{}' is missing", printable(uri)), where, "put it beside the glTF");
     }
     return resources_.emplace_back(readWholeFile(*file, where));
   }
@@ -118,8 +114,8 @@ class Reader {
 
 }  // namespace
 
-GltfResources readResources(const Json& document, std::size_t binaryChunkBytes,
-                            const AssetFolder& folder, const GltfSource& source) {
+GltfResources readResources(const Json& document, std::size_t binaryChunkBytes, const AssetFolder& folder,
+                            const GltfSource& source) {
   Reader reader(binaryChunkBytes, folder, source);
   if (document.contains("buffers")) {
     const Json& buffers = document["buffers"];

@@ -23,7 +23,6 @@ using GltfResources = std::deque<std::vector<unsigned char>>;
                                           const AssetFolder& folder, const GltfSource& source);
 
 /// The bytes of a regular file. Throws SceneError; `where` as in SceneError.
-[[nodiscard]] std::vector<unsigned char> readWholeFile(const std::filesystem::path& file,
-                                                       const std::string& where);
+[[nodiscard]] std::vector<unsigned char> readWholeFile(const std::filesystem::path& file, const std::string& where);
 
 }  // namespace importon

@@ -6,7 +6,7 @@ namespace {
 using enum SchemaKind;
 
 constexpr double kMaxInteger = 2147483647.0;
-constexpr double kBrightest = 1e18;  // of a factor: products of two stay finite as floats
+constexpr double kBrightestFactor = 1e18;  // of a factor: products of two stay finite as floats
 
 /// Collects rules below one path.
 class Rules {
@@ -54,13 +54,11 @@ class Rules {
 void addRoot(std::vector<SchemaRule>& rules) {
   Rules root(rules, "");
   root.required("asset", object).required("asset/version", string);
-  root.optional("extensionsUsed", strings)
-      .optional("extensionsRequired", strings)
-      .optional("extensions", object);
+  root.optional("extensionsUsed", strings).optional("extensionsRequired", strings).optional("extensions", object);
   root.optional("extensions/KHR_lights_punctual", object);
   root.required("extensions/KHR_lights_punctual/lights", objects);
-  for (const char* key : {"scenes", "nodes", "meshes", "accessors", "bufferViews", "buffers", "images",
-                          "samplers", "textures", "materials", "cameras", "skins"}) {
+  for (const char* key : {"scenes", "nodes", "meshes", "accessors", "bufferViews", "buffers", "images", "samplers",
+                          "textures", "materials", "cameras", "skins"}) {
     root.optional(key, objects);
   }
   root.reference("scene", "scenes").reference("scenes/*/nodes", "nodes", indices);
@@ -74,13 +72,16 @@ void addNodes(std::vector<SchemaRule>& rules) {
   node.optional("extensions/KHR_lights_punctual", object);
   node.reference("extensions/KHR_lights_punctual/light", "extensions/KHR_lights_punctual/lights", index, true);
   Rules environment(rules, "scenes/*/extras/environment");
-  environment.optional("type", string).vector("radiance", 3, 0, kBrightest);
+  environment.optional("type", string).vector("radiance", 3, 0, kBrightestFactor);
   const std::string imageLights = "extensions/EXT_lights_image_based/lights";
-  Rules(rules, "scenes/*").optional("extensions/EXT_lights_image_based", object)
+  Rules(rules, "scenes/*")
+      .optional("extensions/EXT_lights_image_based", object)
       .reference("extensions/EXT_lights_image_based/light", imageLights, index, true);
   Rules(rules, "").optional("extensions/EXT_lights_image_based", object).required(imageLights, objects);
   Rules imageLight(rules, imageLights + "/*");
-  imageLight.range("intensity", 0, kBrightest).vector("rotation", 4).vector("irradianceCoefficients/*", 3, -kBrightest, kBrightest);
+  imageLight.range("intensity", 0, kBrightestFactor)
+      .vector("rotation", 4)
+      .vector("irradianceCoefficients/*", 3, -kBrightestFactor, kBrightestFactor);
   imageLight.reference("specularImages/*", "images", indices);
   Rules skin(rules, "skins/*");
   skin.reference("joints", "nodes", indices, true).reference("skeleton", "nodes");
@@ -103,8 +104,7 @@ void addData(std::vector<SchemaRule>& rules) {
   accessor.optional("normalized", boolean);
   accessor.optional("sparse", object).count("sparse/count", 1, true);
   accessor.required("sparse/indices", object).required("sparse/values", object);
-  accessor.reference("sparse/indices/bufferView", "bufferViews", index, true)
-      .count("sparse/indices/byteOffset");
+  accessor.reference("sparse/indices/bufferView", "bufferViews", index, true).count("sparse/indices/byteOffset");
   accessor.count("sparse/indices/componentType", 0, true);
   accessor.reference("sparse/values/bufferView", "bufferViews", index, true).count("sparse/values/byteOffset");
   Rules view(rules, "bufferViews/*");
@@ -125,7 +125,7 @@ void addTextures(std::vector<SchemaRule>& rules) {
 void addMaterials(std::vector<SchemaRule>& rules) {
   Rules material(rules, "materials/*");
   material.optional("pbrMetallicRoughness", object).optional("extensions", object);
-  material.vector("emissiveFactor", 3, 0, kBrightest).texture("emissiveTexture");
+  material.vector("emissiveFactor", 3, 0, kBrightestFactor).texture("emissiveTexture");
   material.texture("normalTexture").optional("normalTexture/scale", number);
   material.choice("alphaMode", {"OPAQUE", "MASK", "BLEND"}, false)
       .range("alphaCutoff", 0)
@@ -137,11 +137,10 @@ void addMaterials(std::vector<SchemaRule>& rules) {
 
 void addMaterialExtensions(std::vector<SchemaRule>& rules) {
   Rules extension(rules, "materials/*/extensions");
-  for (const char* name :
-       {"emissive_strength", "transmission", "ior", "volume", "specular", "clearcoat", "unlit"}) {
+  for (const char* name : {"emissive_strength", "transmission", "ior", "volume", "specular", "clearcoat", "unlit"}) {
     extension.optional(std::string("KHR_materials_") + name, object);
   }
-  extension.range("KHR_materials_emissive_strength/emissiveStrength", 0, kBrightest)
+  extension.range("KHR_materials_emissive_strength/emissiveStrength", 0, kBrightestFactor)
       .range("KHR_materials_ior/ior", 0);
   Rules transmission(rules, "materials/*/extensions/KHR_materials_transmission");
   transmission.range("transmissionFactor", 0, 1).texture("transmissionTexture");
@@ -161,15 +160,12 @@ void addCamerasAndLights(std::vector<SchemaRule>& rules) {
   camera.choice("type", {"perspective", "orthographic"})
       .optional("perspective", object)
       .optional("orthographic", object);
-  camera.required("perspective/yfov", number)
-      .required("perspective/znear", number)
-      .range("perspective/aspectRatio", 0);
-  for (const char* key : {"xmag", "ymag", "zfar", "znear"})
-    camera.required(std::string("orthographic/") + key, number);
+  camera.required("perspective/yfov", number).required("perspective/znear", number).range("perspective/aspectRatio", 0);
+  for (const char* key : {"xmag", "ymag", "zfar", "znear"}) camera.required(std::string("orthographic/") + key, number);
   Rules light(rules, "extensions/KHR_lights_punctual/lights/*");
   light.choice("type", {"point", "spot", "directional"})
-      .vector("color", 3, 0, kBrightest)
-      .range("intensity", 0, kBrightest)
+      .vector("color", 3, 0, kBrightestFactor)
+      .range("intensity", 0, kBrightestFactor)
       .range("range", 0);
   light.optional("spot", object).range("spot/innerConeAngle", 0).range("spot/outerConeAngle", 0);
 }

@@ -10,19 +10,7 @@ namespace importon {
 
 /// objects, strings, numbers, indices: arrays of these. index: of an element of SchemaRule::target.
 /// indexMap: an object whose values are indices.
-enum class SchemaKind {
-  object,
-  objects,
-  string,
-  strings,
-  boolean,
-  integer,
-  number,
-  numbers,
-  index,
-  indices,
-  indexMap
-};
+enum class SchemaKind { object, objects, string, strings, boolean, integer, number, numbers, index, indices, indexMap };
 
 inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 

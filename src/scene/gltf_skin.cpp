@@ -4,14 +4,12 @@
 
 #include "base/error.h"
 #include "scene/gltf_accessor.h"
+#include "scene/gltf_advice.h"
 
 namespace importon {
 namespace {
 
-constexpr const char* kExportAgain = "correct the file or export it again";
-
-glm::dmat4 vertexMatrix(const MeshPart& part, const SkinPose& pose, std::size_t vertex,
-                        const GltfSource& source) {
+glm::dmat4 vertexMatrix(const MeshPart& part, const SkinPose& pose, std::size_t vertex, const GltfSource& source) {
   glm::dmat4 sum(0.0);
   double weights = 0;
   for (int k = 0; k < 4; ++k) {
@@ -19,9 +17,9 @@ glm::dmat4 vertexMatrix(const MeshPart& part, const SkinPose& pose, std::size_t 
     if (!(weight > 0)) continue;
     const auto joint = static_cast<double>(part.joints[vertex][k]);
     if (!(joint >= 0 && joint < static_cast<double>(pose.worldFromObject.size()))) {
-      throw SceneError(fmt::format("joint {} of a vertex is not among the {} of the skin", joint,
-                                   pose.worldFromObject.size()),
-                       source.at(pose.pointer + "/joints"), kExportAgain);
+      throw SceneError(
+          fmt::format("joint {} of a vertex is not among the {} of the skin", joint, pose.worldFromObject.size()),
+          source.at(pose.pointer + "/joints"), kExportAgain);
     }
     sum += pose.worldFromObject[static_cast<std::size_t>(joint)] * weight;
     weights += weight;
@@ -56,9 +54,8 @@ SkinPose readSkinPose(const GltfDocument& document, std::size_t skinIndex,
     inverseBind = readMatrices(document, skin.inverseBindMatrices, pose.pointer + "/inverseBindMatrices");
   }
   if (skin.joints.empty() || inverseBind.size() < skin.joints.size()) {
-    throw SceneError(
-        fmt::format("{} joints have {} inverse bind matrices", skin.joints.size(), inverseBind.size()),
-        document.source.at(pose.pointer), kExportAgain);
+    throw SceneError(fmt::format("{} joints have {} inverse bind matrices", skin.joints.size(), inverseBind.size()),
+                     document.source.at(pose.pointer), kExportAgain);
   }
   for (std::size_t i = 0; i < skin.joints.size(); ++i) {
     const PlacedNode* joint = placedNodes[static_cast<std::size_t>(skin.joints[i])];

@@ -55,14 +55,14 @@ void TextureTable::readSampler(int index, Texture& texture) const {
 }
 
 uint TextureTable::indexOf(const Texture& texture, std::size_t image) {
-  const Key key{image,
-                texture.wrapS,
-                texture.wrapT,
-                texture.isNearest,
-                texture.isSrgb,
-                texture.uvSet,
-                {texture.uvRow0.x, texture.uvRow0.y, texture.uvRow0.z, texture.uvRow1.x, texture.uvRow1.y,
-                 texture.uvRow1.z}};
+  const Key key{
+      image,
+      texture.wrapS,
+      texture.wrapT,
+      texture.isNearest,
+      texture.isSrgb,
+      texture.uvSet,
+      {texture.uvRow0.x, texture.uvRow0.y, texture.uvRow0.z, texture.uvRow1.x, texture.uvRow1.y, texture.uvRow1.z}};
   const auto [entry, isNew] = indices_.emplace(key, static_cast<uint>(textures_.size()));
   if (isNew) {
     textures_.push_back(texture);
@@ -73,11 +73,10 @@ uint TextureTable::indexOf(const Texture& texture, std::size_t image) {
 
 uint TextureTable::use(const nlohmann::json& info, const std::string& pointer, ColorMeaning meaning) {
   if (!info.is_object()) return kNone;
-  const tinygltf::Texture& source =
-      document_.model.textures[static_cast<std::size_t>(integerOr(info, "index", 0))];
+  const tinygltf::Texture& source = document_.model.textures[static_cast<std::size_t>(integerOr(info, "index", 0))];
   if (source.source < 0) {
-    log_.warn("texture without image", fmt::format("{}: the texture names no PNG or JPEG and is passed over",
-                                                   document_.source.at(pointer)));
+    log_.warn("texture without image",
+              fmt::format("{}: the texture names no PNG or JPEG and is passed over", document_.source.at(pointer)));
     return kNone;
   }
   Texture texture{};
@@ -88,9 +87,8 @@ uint TextureTable::use(const nlohmann::json& info, const std::string& pointer, C
   const int uvSet = integerOr(transform, "texCoord", integerOr(info, "texCoord", 0));
   texture.uvSet = uvSet == 1 ? 1u : 0u;
   if (uvSet > 1) {
-    log_.warn(
-        "texture coordinates beyond the second set",
-        fmt::format("{}: TEXCOORD_{} is not read; TEXCOORD_0 stands in", document_.source.at(pointer), uvSet));
+    log_.warn("texture coordinates beyond the second set",
+              fmt::format("{}: TEXCOORD_{} is not read; TEXCOORD_0 stands in", document_.source.at(pointer), uvSet));
   }
   return indexOf(texture, static_cast<std::size_t>(source.source));
 }

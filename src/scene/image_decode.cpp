@@ -25,8 +25,8 @@ ImageSize readImageSize(std::span<const unsigned char> bytes, const std::string&
   const bool isAllowed = size.width > 0 && size.height > 0 && size.width <= kLongestSide &&
                          size.height <= kLongestSide && size.texels() <= kMostTexels;
   if (isAllowed) return size;
-  throw SceneError(fmt::format("the image has {} x {} texels, not 1 to {} a side and {} in all at most",
-                               size.width, size.height, kLongestSide, kMostTexels),
+  throw SceneError(fmt::format("the image has {} x {} texels, not 1 to {} a side and {} in all at most", size.width,
+                               size.height, kLongestSide, kMostTexels),
                    where, "change the size of the image");
 }
 

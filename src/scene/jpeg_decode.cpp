@@ -18,7 +18,7 @@
 namespace importon {
 namespace {
 
-constexpr const char* kExportAgain = "save the image as JPEG again";
+constexpr const char* kSaveJpegAgain = "save the image as JPEG again";
 
 /// libjpeg's error manager, and where to go on after an error.
 struct ErrorManager {
@@ -27,7 +27,7 @@ struct ErrorManager {
   std::array<char, JMSG_LENGTH_MAX> message{};
 };
 
-[[noreturn]] void keepMessage(j_common_ptr jpeg) {
+[[noreturn]] void keepJpegMessage(j_common_ptr jpeg) {
   auto* manager = reinterpret_cast<ErrorManager*>(jpeg->err);
   manager->base.format_message(jpeg, manager->message.data());
   std::longjmp(manager->jump, 1);
@@ -35,7 +35,7 @@ struct ErrorManager {
 
 /// Warnings pass, but for data that end early: libjpeg would fill up with grey.
 void ignoreMessage(j_common_ptr jpeg, int level) {
-  if (level < 0 && jpeg->err->msg_code == JWRN_JPEG_EOF) keepMessage(jpeg);
+  if (level < 0 && jpeg->err->msg_code == JWRN_JPEG_EOF) keepJpegMessage(jpeg);
 }
 
 /// libjpeg's state, freed however reading ends. libjpeg jumps back to setjmp past any destructor: its methods
@@ -44,7 +44,7 @@ class JpegReader {
  public:
   JpegReader() {
     jpeg_.err = jpeg_std_error(&error_.base);
-    error_.base.error_exit = keepMessage;
+    error_.base.error_exit = keepJpegMessage;
     error_.base.emit_message = ignoreMessage;
     jpeg_create_decompress(&jpeg_);
   }
@@ -76,8 +76,7 @@ class JpegReader {
   [[nodiscard]] ImageSize size() const { return {jpeg_.image_width, jpeg_.image_height}; }
 
   [[noreturn]] void fail(const std::string& where) const {
-    throw SceneError(fmt::format("the JPEG cannot be decoded ({})", error_.message.data()), where,
-                     kExportAgain);
+    throw SceneError(fmt::format("the JPEG cannot be decoded ({})", error_.message.data()), where, kSaveJpegAgain);
   }
 
  private:
@@ -87,9 +86,7 @@ class JpegReader {
 
 }  // namespace
 
-bool isJpeg(std::span<const unsigned char> bytes) {
-  return bytes.size() >= 2 && bytes[0] == 0xFF && bytes[1] == 0xD8;
-}
+bool isJpeg(std::span<const unsigned char> bytes) { return bytes.size() >= 2 && bytes[0] == 0xFF && bytes[1] == 0xD8; }
 
 ImageSize readJpegSize(std::span<const unsigned char> bytes, const std::string& where) {
   JpegReader reader;

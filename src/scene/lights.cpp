@@ -5,17 +5,14 @@
 
 #include "base/parallel.h"
 #include "scene/environment.h"
+#include "scene/light_math.h"
 #include "scene/texture_sampling.h"
 
 namespace importon {
 namespace {
 
-constexpr double kPi = glm::pi<double>();
-
 /// Sums of powers must stay finite.
 float boundedPower(double watts) { return static_cast<float>(std::min(watts, 1e30)); }
-
-double meanOf(const vec3& color) { return (static_cast<double>(color.x) + color.y + color.z) / 3.0; }
 
 float triangleArea(const Scene& scene, const Triangle& triangle) {
   const glm::dvec3 a(scene.positions[triangle.v0]);

@@ -9,8 +9,7 @@ namespace importon {
 
 const std::vector<const MeshPart*>& MeshLibrary::partsOf(const tinygltf::Node& node) {
   const auto mesh = static_cast<std::size_t>(node.mesh);
-  const std::vector<double>& weights =
-      node.weights.empty() ? document_.model.meshes[mesh].weights : node.weights;
+  const std::vector<double>& weights = node.weights.empty() ? document_.model.meshes[mesh].weights : node.weights;
   const auto [entry, isNew] = variants_.try_emplace({mesh, weights});
   if (isNew) {
     for (MeshPart& part : readMesh(document_, mesh, weights, log_)) {

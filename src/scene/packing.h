@@ -13,11 +13,9 @@ namespace importon {
 /// A unit vector on the octahedron |x| + |y| + |z| = 1, folded to the square [-1, 1]²
 /// [Cigolle et al. 2014, A Survey of Efficient Representations for Independent Unit Vectors, section 3].
 [[nodiscard]] inline glm::dvec2 octahedronFromDirection(const glm::dvec3& direction) {
-  const glm::dvec3 onFaces =
-      direction / (std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z));
+  const glm::dvec3 onFaces = direction / (std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z));
   if (onFaces.z >= 0) return {onFaces.x, onFaces.y};
-  return {std::copysign(1.0 - std::abs(onFaces.y), onFaces.x),
-          std::copysign(1.0 - std::abs(onFaces.x), onFaces.y)};
+  return {std::copysign(1.0 - std::abs(onFaces.y), onFaces.x), std::copysign(1.0 - std::abs(onFaces.x), onFaces.y)};
 }
 
 /// The inverse of octahedronFromDirection; the result has unit length.
@@ -50,9 +48,7 @@ namespace importon {
   return packed == kNone ? 0x0000FFFFu : packed;  // x from -1 to 0, as above
 }
 
-[[nodiscard]] inline vec3 unpackNormal(uint packed) {
-  return directionFromOctahedron(glm::unpackSnorm2x16(packed));
-}
+[[nodiscard]] inline vec3 unpackNormal(uint packed) { return directionFromOctahedron(glm::unpackSnorm2x16(packed)); }
 
 /// Tangent in xyz, the sign of the bitangent in w.
 [[nodiscard]] inline vec4 unpackTangent(uint packed) {

@@ -13,7 +13,7 @@
 namespace importon {
 namespace {
 
-constexpr const char* kExportAgain = "save the image as PNG again";
+constexpr const char* kSavePngAgain = "save the image as PNG again";
 
 std::size_t bigEndian(std::span<const unsigned char> bytes, std::size_t offset) {
   std::size_t value = 0;
@@ -34,7 +34,7 @@ void readBytes(png_structp png, png_bytep out, std::size_t count) {
   reading.rest = reading.rest.subspan(count);
 }
 
-[[noreturn]] void keepMessage(png_structp png, png_const_charp message) {
+[[noreturn]] void keepPngMessage(png_structp png, png_const_charp message) {
   auto& reading = *static_cast<Reading*>(png_get_error_ptr(png));
   std::strncpy(reading.message.data(), message, reading.message.size() - 1);
   png_longjmp(png, 1);
@@ -46,7 +46,7 @@ void ignoreWarning(png_structp, png_const_charp) {}
 class PngReader {
  public:
   explicit PngReader(Reading& reading) {
-    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading, keepMessage, ignoreWarning);
+    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading, keepPngMessage, ignoreWarning);
     if (png_ != nullptr) info_ = png_create_info_struct(png_);
     if (info_ != nullptr) png_set_read_fn(png_, &reading, readBytes);
   }
@@ -84,14 +84,13 @@ class PngReader {
 
 bool isPng(std::span<const unsigned char> bytes) {
   constexpr std::array<unsigned char, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-  return bytes.size() >= kSignature.size() &&
-         std::memcmp(bytes.data(), kSignature.data(), kSignature.size()) == 0;
+  return bytes.size() >= kSignature.size() && std::memcmp(bytes.data(), kSignature.data(), kSignature.size()) == 0;
 }
 
 ImageSize readPngSize(std::span<const unsigned char> bytes, const std::string& where) {
   constexpr std::size_t kHeaderBytes = 24;  // signature, length and type of IHDR, width, height
   if (bytes.size() < kHeaderBytes || std::memcmp(bytes.data() + 12, "IHDR", 4) != 0) {
-    throw SceneError("the PNG has no header", where, kExportAgain);
+    throw SceneError("the PNG has no header", where, kSavePngAgain);
   }
   return {bigEndian(bytes, 16), bigEndian(bytes, 20)};
 }
@@ -102,9 +101,8 @@ void decodePng(std::span<const unsigned char> bytes, std::span<uint> texels, con
   for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = reinterpret_cast<png_bytep>(&texels[y * size.width]);
   Reading reading{bytes, {}};
   PngReader reader(reading);
-  if (reader.read(rows.data(), static_cast<png_uint_32>(size.width), static_cast<png_uint_32>(size.height)))
-    return;
-  throw SceneError(fmt::format("the PNG cannot be decoded ({})", reading.message.data()), where, kExportAgain);
+  if (reader.read(rows.data(), static_cast<png_uint_32>(size.width), static_cast<png_uint_32>(size.height))) return;
+  throw SceneError(fmt::format("the PNG cannot be decoded ({})", reading.message.data()), where, kSavePngAgain);
 }
 
 }  // namespace importon

@@ -14,11 +14,11 @@ namespace importon {
 struct Camera {
   std::string name;
   bool isOrthographic = false;
-  double yfov = 0.8;           // radians, perspective
-  double aspectRatio = 0;      // 0: not given
-  double xmag = 1, ymag = 1;   // half extents in m, orthographic
+  double yfov = 0.8;                // radians, perspective
+  double aspectRatio = 0;           // 0: not given
+  double xmag = 1, ymag = 1;        // half extents in m, orthographic
   glm::dmat4 worldFromCamera{1.0};  // rigid up to handedness; scale removed
-  int width = 0, height = 0;   // extras.width/height, 0: not given
+  int width = 0, height = 0;        // extras.width/height, 0: not given
 };
 
 /// Light from far away, W/(m² sr), over a lat-long map: rows from the top, which is up (+y); the middle looks along
@@ -32,20 +32,20 @@ struct EnvironmentMap {
 /// render space: world = render + worldFromRender, with the scene's centre near the origin.
 struct Scene {
   std::filesystem::path file;
-  std::vector<vec3> positions;      // per vertex, render space
-  std::vector<Vertex> vertices;     // same length as positions
+  std::vector<vec3> positions;   // per vertex, render space
+  std::vector<Vertex> vertices;  // same length as positions
   std::vector<Triangle> triangles;
   std::vector<Material> materials;  // at least one: the glTF default material stands last if it is used
   std::vector<std::string> materialNames;
   std::vector<Texture> textures;
-  std::vector<uint> texels;         // RGBA8
-  std::vector<Light> lights;        // emissive triangles, punctual lights, environment
-  std::vector<uint> lightOfTriangle; // kNone where a triangle emits nothing; empty if no triangle emits
+  std::vector<uint> texels;           // RGBA8
+  std::vector<Light> lights;          // emissive triangles, punctual lights, environment
+  std::vector<uint> lightOfTriangle;  // kNone where a triangle emits nothing; empty if no triangle emits
   std::vector<Camera> cameras;
   glm::dvec3 worldFromRender{0.0};
   vec3 boundsMin{0}, boundsMax{0};  // render space
   std::optional<EnvironmentMap> environment;
-  bool hasCameraInFile = true;      // false: cameras[0] was made to frame the scene
+  bool hasCameraInFile = true;  // false: cameras[0] was made to frame the scene
 };
 
 }  // namespace importon

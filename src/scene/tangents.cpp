@@ -38,8 +38,7 @@ void computeTangents(MeshPart& part, const Texture& texture) {
   if (uvs.empty()) return;
   std::vector<Frame> frames(part.positions.size());
   for (const uvec3& triangle : part.triangles) {
-    const glm::dvec3 p[3] = {part.positions[triangle.x], part.positions[triangle.y],
-                             part.positions[triangle.z]};
+    const glm::dvec3 p[3] = {part.positions[triangle.x], part.positions[triangle.y], part.positions[triangle.z]};
     const glm::dvec2 uv[3] = {transformed(uvs[triangle.x], texture), transformed(uvs[triangle.y], texture),
                               transformed(uvs[triangle.z], texture)};
     const Frame frame = triangleFrame(p, uv);
@@ -58,8 +57,7 @@ void computeTangents(MeshPart& part, const Texture& texture) {
     }
     const double length = glm::length(tangent);
     const bool isUsable = length > 1e-6 * glm::length(frames[i].tangent) && std::isfinite(length);
-    part.tangents[i] =
-        vec4(isUsable ? vec3(tangent / length) : vec3(0.0f), frames[i].handedness < 0 ? -1.0f : 1.0f);
+    part.tangents[i] = vec4(isUsable ? vec3(tangent / length) : vec3(0.0f), frames[i].handedness < 0 ? -1.0f : 1.0f);
   }
 }
 

@@ -12,8 +12,7 @@ std::array<float, 256> makeSrgbTable() {
   std::array<float, 256> table{};
   for (std::size_t i = 0; i < table.size(); ++i) {
     const double encoded = static_cast<double>(i) / 255.0;
-    table[i] =
-        static_cast<float>(encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
+    table[i] = static_cast<float>(encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
   }
   return table;
 }
@@ -47,8 +46,7 @@ vec3 nearestTexel(const Texture& texture, std::span<const uint> texels, const ve
   const std::size_t y = wrapped(uv.y, texture.height, texture.wrapT);
   const uint texel = texels[texture.firstTexel + y * texture.width + x];
   const bool isSrgb = texture.isSrgb != 0;
-  return {linear(texel & 0xFFu, isSrgb), linear(texel >> 8 & 0xFFu, isSrgb),
-          linear(texel >> 16 & 0xFFu, isSrgb)};
+  return {linear(texel & 0xFFu, isSrgb), linear(texel >> 8 & 0xFFu, isSrgb), linear(texel >> 16 & 0xFFu, isSrgb)};
 }
 
 vec3 meanOverTriangle(const Texture& texture, std::span<const uint> texels, const vec2 (&uv)[3]) {
@@ -57,10 +55,8 @@ vec3 meanOverTriangle(const Texture& texture, std::span<const uint> texels, cons
   const vec2 e1 = transformUv(texture, uv[1]) - a;
   const vec2 e2 = transformUv(texture, uv[2]) - a;
   const vec2 size(static_cast<float>(texture.width), static_cast<float>(texture.height));
-  const float longest =
-      std::max({glm::length(e1 * size), glm::length(e2 * size), glm::length((e2 - e1) * size)});
-  const int side =
-      std::isfinite(longest) ? static_cast<int>(std::clamp(std::ceil(longest), 1.0f, kMostPerSide)) : 1;
+  const float longest = std::max({glm::length(e1 * size), glm::length(e2 * size), glm::length((e2 - e1) * size)});
+  const int side = std::isfinite(longest) ? static_cast<int>(std::clamp(std::ceil(longest), 1.0f, kMostPerSide)) : 1;
   // The triangle is cut into side² equal ones, pointing up and down in turn; each gives its centroid.
   glm::dvec3 sum(0.0);
   for (int row = 0; row < side; ++row) {

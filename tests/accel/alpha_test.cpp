@@ -104,8 +104,7 @@ TEST_F(AlphaTest, TrianglesThatAreCutStopTheirShareOfRaysOnce) {
   constexpr double kAlpha = 0.6;
   SceneBuilder builder;
   const uint sheet = builder.material(withAlpha(static_cast<float>(kAlpha), kMaterialAlphaBlend));
-  for (int i = 0; i < 40; ++i)
-    builder.triangle(sheet, {0.05 * i, 0, 0}, {1 + 0.05 * i, 1, 1}, {0.05 + 0.05 * i, 0, 0});
+  for (int i = 0; i < 40; ++i) builder.triangle(sheet, {0.05 * i, 0, 0}, {1 + 0.05 * i, 1, 1}, {0.05 + 0.05 * i, 0, 0});
   for (int i = 0; i < 400; ++i)  // so that there may be parts
     builder.triangle(sheet, {0.005 * i, 0, 1}, {0.005 * i + 0.001, 0, 1}, {0.005 * i, 0, 0.999});
   builder.pointLight({0.5, 2, 0.5}, vec3(1.0f));
@@ -115,8 +114,7 @@ TEST_F(AlphaTest, TrianglesThatAreCutStopTheirShareOfRaysOnce) {
   RayTracer opaque(context(), bvh), tracer(context(), bvh, scene);
   std::vector<Ray> rays = raysDown(scene);
   for (Ray& ray : rays) ray.tMax = 10 * (scene.boundsMax.y - scene.boundsMin.y);
-  const std::vector<Hit> all = opaque.closestHits(rays), closest = tracer.closestHits(rays),
-                         any = tracer.anyHits(rays);
+  const std::vector<Hit> all = opaque.closestHits(rays), closest = tracer.closestHits(rays), any = tracer.anyHits(rays);
   double reached = 0, stopped = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     EXPECT_EQ(closest[i].triangle == kNone, any[i].triangle == kNone) << i;

@@ -39,8 +39,7 @@ class BounceTest : public GpuTest {
     recorder.dispatch(kernel, bindings, walkers, BouncePush{walkers, kBounces, start});
     recorder.submitAndWait();
     const std::vector<std::uint32_t> counts = bounces.download<std::uint32_t>(walkers);
-    return static_cast<std::size_t>(
-        std::count_if(counts.begin(), counts.end(), [](auto n) { return n < kBounces; }));
+    return static_cast<std::size_t>(std::count_if(counts.begin(), counts.end(), [](auto n) { return n < kBounces; }));
   }
 
   static Mesh moved(Mesh mesh, vec3 by) {
@@ -63,8 +62,8 @@ class BounceTest : public GpuTest {
     }
     for (uint i = 0; i < sides; ++i) {
       const uint a = 2 + 2 * i, b = 2 + 2 * ((i + 1) % sides);
-      for (const Triangle& t : {Triangle{a, b, a + 1, 0}, Triangle{b, b + 1, a + 1, 0}, Triangle{0, b, a, 0},
-                                Triangle{1, a + 1, b + 1, 0}})
+      for (const Triangle& t :
+           {Triangle{a, b, a + 1, 0}, Triangle{b, b + 1, a + 1, 0}, Triangle{0, b, a, 0}, Triangle{1, a + 1, b + 1, 0}})
         mesh.triangles.push_back(t);
     }
     return mesh;

@@ -1,5 +1,5 @@
-// kernels/traversal/trace.comp against Embree in robust mode: on the project's own scenes, and on others where a folder of them
-// is named.
+// kernels/traversal/trace.comp against Embree in robust mode: on the project's own scenes, and on others where a folder
+// of them is named.
 #include <embree3/rtcore.h>
 #include <gtest/gtest.h>
 
@@ -29,11 +29,11 @@ class Embree {
   explicit Embree(const Mesh& mesh) : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
     rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-    void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                              sizeof(vec3), mesh.positions.size());
+    void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(vec3),
+                                              mesh.positions.size());
     std::memcpy(positions, mesh.positions.data(), mesh.positions.size() * sizeof(vec3));
-    auto* indices = static_cast<uint*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint), mesh.triangles.size()));
+    auto* indices = static_cast<uint*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                               3 * sizeof(uint), mesh.triangles.size()));
     for (const Triangle& t : mesh.triangles)
       for (const uint vertex : {t.v0, t.v1, t.v2}) *indices++ = vertex;
     rtcCommitGeometry(geometry);
@@ -67,8 +67,7 @@ class Embree {
                  0};
     query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(scene_, &context, &query);
-    return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? std::numeric_limits<float>::infinity()
-                                                       : query.ray.tfar;
+    return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? std::numeric_limits<float>::infinity() : query.ray.tfar;
   }
 
  private:
@@ -131,9 +130,9 @@ TEST_P(EmbreeTest, AgreesOnSurfaceAxisParallelAndGrazingRays) {
   const Mesh mesh = loadMesh(GetParam());
   const Embree embree(mesh);
   RayTracer tracer(context(), buildBvh(mesh.positions, mesh.triangles));
-  for (const auto& [kind, rays] : {std::pair("surface", surfaceRays(mesh, kRays, 41)),
-                                   std::pair("axis-parallel", axisRays(mesh, kRays, 42)),
-                                   std::pair("grazing", grazingRays(mesh, kRays, 43))})
+  for (const auto& [kind, rays] :
+       {std::pair("surface", surfaceRays(mesh, kRays, 41)), std::pair("axis-parallel", axisRays(mesh, kRays, 42)),
+        std::pair("grazing", grazingRays(mesh, kRays, 43))})
     compare(mesh, embree, rays, tracer.closestHits(rays), kind);
   EXPECT_EQ(tracer.unfinished(), 0u);
 }

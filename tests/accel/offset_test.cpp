@@ -73,8 +73,7 @@ TEST_F(OffsetTest, OriginsLieOnTheSideThatTheRayGoesTo) {
     const glm::dvec3 v0(l.v0), a = glm::dvec3(l.v1) - v0, b = glm::dvec3(l.v2) - v0;
     const glm::dvec3 normal = glm::normalize(glm::cross(a, b));
     // Slivers have no plane to speak of in floats: the normal that the kernel makes of them is arbitrary.
-    if (glm::length(glm::cross(a, b)) < 1e-3 * glm::dot(a, a) ||
-        glm::length(glm::cross(a, b)) < 1e-3 * glm::dot(b, b))
+    if (glm::length(glm::cross(a, b)) < 1e-3 * glm::dot(a, a) || glm::length(glm::cross(a, b)) < 1e-3 * glm::dot(b, b))
       continue;
     const double side = glm::dot(glm::dvec3(outcomes[i].origin) - v0, normal);
     const double towards = glm::dot(glm::dvec3(l.direction), normal);
@@ -84,9 +83,8 @@ TEST_F(OffsetTest, OriginsLieOnTheSideThatTheRayGoesTo) {
 }
 
 TEST_F(OffsetTest, OffsetsAreAFewRoundingsOfPositionAndSize) {
-  const std::vector<Leaving> leaving{
-      {vec3(0, 0, 8), vec3(1, 0, 8), vec3(0, 1, 8), 0.25f, 0.25f, vec3(0, 0, 1), 0},
-      {vec3(0, 0, 0), vec3(1, 0, 0), vec3(0, 1, 0), 0.25f, 0.25f, vec3(0, 0, -1), 0}};
+  const std::vector<Leaving> leaving{{vec3(0, 0, 8), vec3(1, 0, 8), vec3(0, 1, 8), 0.25f, 0.25f, vec3(0, 0, 1), 0},
+                                     {vec3(0, 0, 0), vec3(1, 0, 0), vec3(0, 1, 0), 0.25f, 0.25f, vec3(0, 0, -1), 0}};
   const auto outcomes = runKernel<Outcome>(context(), accel_test_kernels::spirv("leaving_ray"), leaving);
   EXPECT_GT(outcomes[0].origin.z, 8.0f);
   EXPECT_LT(outcomes[0].origin.z, 8.0f + 8.0f * 0x1p-21f);

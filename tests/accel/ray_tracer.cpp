@@ -57,8 +57,8 @@ void RayTracer::upload(std::span<const Ray> rays) {
 
 void RayTracer::trace(bool isAnyHit) {
   gpu::Recorder recorder(context_);
-  recorder.dispatch(isAnyHit ? any_ : closest_, bindings_,
-                    std::max((count_ + 31) / 32, std::min(count_, invocations_)), TracePush{0});
+  recorder.dispatch(isAnyHit ? any_ : closest_, bindings_, std::max((count_ + 31) / 32, std::min(count_, invocations_)),
+                    TracePush{0});
   recorder.submitAndWait();
   seconds_ = recorder.times().front().milliseconds * 1e-3;
 }

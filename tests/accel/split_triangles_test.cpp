@@ -86,8 +86,8 @@ TEST(SplitTriangles, KeepsToTheNumberOfPartsThatItMayMake) {
   const std::size_t all = split(mesh, {.mostParts = 100.0f}).size();
   for (const float most : {0.1f, 0.2f}) {
     const LargeVector<PrimitiveBox> parts = split(mesh, {.leastGainInAll = 0.0f, .mostParts = most});
-    EXPECT_EQ(parts.size(), mesh.triangles.size() +
-                                static_cast<std::size_t>(most * static_cast<float>(mesh.triangles.size())));
+    EXPECT_EQ(parts.size(),
+              mesh.triangles.size() + static_cast<std::size_t>(most * static_cast<float>(mesh.triangles.size())));
     EXPECT_LT(parts.size(), all);
   }
 }

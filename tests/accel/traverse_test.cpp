@@ -36,8 +36,7 @@ class TraverseTest : public GpuTest {
     const gpu::Kernel kernel(context(), "brute force", accel_test_kernels::spirv("brute_force"));
     const gpu::Buffer rayBuffer = gpu::makeBuffer<Ray>(context(), "rays", rays);
     const gpu::Buffer hits(context(), "hits", rays.size() * sizeof(Hit));
-    const gpu::Buffer triangles =
-        gpu::makeBuffer<BvhRecord>(context(), "triangles", leaves, gpu::TexelFormat::uint4);
+    const gpu::Buffer triangles = gpu::makeBuffer<BvhRecord>(context(), "triangles", leaves, gpu::TexelFormat::uint4);
     gpu::BindingTable bindings;
     bindings.set(0, rayBuffer);
     bindings.set(1, hits);
@@ -73,9 +72,8 @@ class TraverseTest : public GpuTest {
       const NearestHit nearest = nearestHit(mesh, rays[i], 16 * 0x1p-24);
       const double t = found[i].triangle == kNone ? kInfinity : found[i].t;
       EXPECT_TRUE(t >= nearest.possible && t <= nearest.certain && expected[i].t < nearest.possible)
-          << "ray " << i << ": triangle " << found[i].triangle << " at " << t << " instead of "
-          << expected[i].triangle << " at " << expected[i].t << ", nearest possible " << nearest.possible
-          << ", certain " << nearest.certain;
+          << "ray " << i << ": triangle " << found[i].triangle << " at " << t << " instead of " << expected[i].triangle
+          << " at " << expected[i].t << ", nearest possible " << nearest.possible << ", certain " << nearest.certain;
     }
     EXPECT_LE(different, rays.size() / 1000);
     EXPECT_GT(hits, rays.size() / 20);

@@ -26,8 +26,7 @@ void look(const BinaryTree& tree, std::uint32_t index, Below& below) {
   const std::size_t before = below.primitives.size();
   for (const std::uint32_t child : {tree.leftChild(index), tree.rightChild(index)}) {
     for (int axis = 0; axis < 3; ++axis)
-      if (tree.nodes[child].lo[axis] < node.lo[axis] || tree.nodes[child].hi[axis] > node.hi[axis])
-        ++below.uncovered;
+      if (tree.nodes[child].lo[axis] < node.lo[axis] || tree.nodes[child].hi[axis] > node.hi[axis]) ++below.uncovered;
     look(tree, child, below);
   }
   EXPECT_EQ(below.primitives.size() - before, node.count);

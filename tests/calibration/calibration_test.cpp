@@ -19,9 +19,9 @@ constexpr int kSeeds = 10;
 
 struct SceneOfTest {
   const char* name;
-  int width;              // pixels
+  int width;                  // pixels
   std::optional<int> height;  // if not by the camera
-  std::uint32_t photons;  // per pass
+  std::uint32_t photons;      // per pass
 };
 
 // glass_caustic has a dozen pixels that see the lamp in mirrors: a hit in a thousand paths, which no estimate knows
@@ -66,8 +66,8 @@ int countHeld(const SceneOfTest& tested) {
   int held = 0;
   for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
     const Outcome outcome = renderOnce(jobFor(tested, seed), scene, reference);
-    std::printf("%s, seed %u: %d passes, estimated %.4f, true %.4f, ratio %.2f%s\n", name.c_str(), seed,
-                outcome.passes, outcome.estimated, outcome.truth, outcome.truth / outcome.estimated,
+    std::printf("%s, seed %u: %d passes, estimated %.4f, true %.4f, ratio %.2f%s\n", name.c_str(), seed, outcome.passes,
+                outcome.estimated, outcome.truth, outcome.truth / outcome.estimated,
                 outcome.isHeld ? "" : ", outside the band");
     std::fflush(stdout);
     held += outcome.isHeld ? 1 : 0;

@@ -26,21 +26,19 @@ std::string writeGrey(const TemporaryFolder& folder, const std::string& name, fl
 
 TEST(Cli, ComparePrintsEveryMetric) {
   const TemporaryFolder folder;
-  const Outcome outcome =
-      runImporton({"compare", writeGrey(folder, "a.exr", 2), writeGrey(folder, "r.exr", 1)});
+  const Outcome outcome = runImporton({"compare", writeGrey(folder, "a.exr", 2), writeGrey(folder, "r.exr", 1)});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   for (const char* line : {"relmse          0.990099", "relmse_trimmed  0.990099", "smape           0.333333",
-                           "rmse            1\n", "mean_ratio      2\n", "flip            0.",
-                           "flip_hdr        0."}) {
+                           "rmse            1\n", "mean_ratio      2\n", "flip            0.", "flip_hdr        0."}) {
     EXPECT_NE(outcome.out.find(line), std::string::npos) << line << " in\n" << outcome.out;
   }
 }
 
 TEST(Cli, CompareWritesJson) {
   const TemporaryFolder folder;
-  const Outcome outcome = runImporton(
-      {"compare", writeGrey(folder, "a.exr", 2), writeGrey(folder, "r.exr", 1), "--json", "--floor", "0"});
+  const Outcome outcome =
+      runImporton({"compare", writeGrey(folder, "a.exr", 2), writeGrey(folder, "r.exr", 1), "--json", "--floor", "0"});
   const auto json = nlohmann::json::parse(outcome.out);
   EXPECT_NEAR(json["relmse"].get<double>(), 1, 1e-9);
   EXPECT_NEAR(json["relmse_trimmed"].get<double>(), 1, 1e-9);
@@ -72,8 +70,7 @@ TEST(Cli, CompareExceedsEveryLimitWithPixelsThatAreNotFinite) {
 TEST(Cli, CompareShowsTheDifference) {
   const TemporaryFolder folder;
   const std::string a = writeGrey(folder, "a.exr", 2), r = writeGrey(folder, "r.exr", 0.5F);
-  const Outcome outcome =
-      runImporton({"compare", a, r, "--diff", folder / "d.exr", "--diff-png", folder / "d.png"});
+  const Outcome outcome = runImporton({"compare", a, r, "--diff", folder / "d.exr", "--diff-png", folder / "d.png"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(readExr(folder / "d.exr").find("R")->values, std::vector<float>(8, 1.5F));
   EXPECT_EQ(test::readFile(folder / "d.png").substr(1, 3), "PNG");
@@ -90,8 +87,7 @@ TEST(Cli, CompareReadsLayers) {
   EXPECT_EQ(runImporton({"compare", folder / "l.exr", r}).status, 2);
   EXPECT_EQ(runImporton({"compare", folder / "l.exr", r, "--layer", "a", "--max-relmse", "0"}).status, 0);
   EXPECT_EQ(runImporton({"compare", folder / "l.exr", r, "--layer", "b", "--max-relmse", "0"}).status, 5);
-  EXPECT_EQ(
-      runImporton({"compare", r, folder / "l.exr", "--reference-layer", "a", "--max-flip-hdr", "0"}).status, 0);
+  EXPECT_EQ(runImporton({"compare", r, folder / "l.exr", "--reference-layer", "a", "--max-flip-hdr", "0"}).status, 0);
 }
 
 TEST(Cli, CompareRefusesWhatCannotBeCompared) {

@@ -23,9 +23,8 @@ const std::string kRing = kScenes + "/ring/ring.gltf";  // has caustics
 
 std::vector<std::string> tiny(const std::string& scene, const std::string& output,
                               std::initializer_list<std::string> more) {
-  std::vector<std::string> arguments{scene,       "-o",   output,        "--width", "24",
-                                     "--height",  "16",   "--photons",   "4096",    "--importons",
-                                     "2048"};
+  std::vector<std::string> arguments{scene, "-o",        output, "--width",     "24",  "--height",
+                                     "16",  "--photons", "4096", "--importons", "2048"};
   arguments.insert(arguments.end(), more);
   return arguments;
 }
@@ -38,10 +37,10 @@ TEST(CliRender, ResumesToTheSameBits) {
   const std::string state = folder / "state";
   expectStatus(runImporton(tiny(kRing, folder / "whole.exr", {"--passes", "7"})), 0);
   expectStatus(runImporton(tiny(kRing, folder / "part.exr", {"--passes", "5", "--checkpoint", state})), 0);
-  expectStatus(runImporton(tiny(kRing, folder / "o.exr",
-                                {"--passes", "7", "--resume", state, "--checkpoint", state, "--stats",
-                                 folder / "o.json"})),
-               0);
+  expectStatus(
+      runImporton(tiny(kRing, folder / "o.exr",
+                       {"--passes", "7", "--resume", state, "--checkpoint", state, "--stats", folder / "o.json"})),
+      0);
   EXPECT_EQ(readFile(folder / "o.exr"), readFile(folder / "whole.exr"));
   EXPECT_NE(readFile(folder / "part.exr"), readFile(folder / "whole.exr"));
   const auto stats = nlohmann::json::parse(readFile(folder / "o.json"));
@@ -57,7 +56,8 @@ TEST(CliRender, ResumesToTheSamePassByError) {
   const TemporaryFolder folder;
   const std::string state = folder / "state";
   expectStatus(runImporton(tiny(kRing, folder / "whole.exr", {"--error", "0.1"})), 0);
-  expectStatus(runImporton(tiny(kRing, folder / "part.exr", {"--error", "0.1", "--passes", "5", "--checkpoint", state})), 0);
+  expectStatus(
+      runImporton(tiny(kRing, folder / "part.exr", {"--error", "0.1", "--passes", "5", "--checkpoint", state})), 0);
   expectStatus(runImporton(tiny(kRing, folder / "o.exr", {"--error", "0.1", "--resume", state})), 0);
   EXPECT_GT(std::stoi(readExr(folder / "whole.exr").attributes.at("importon:passes")), 5);
   EXPECT_EQ(readFile(folder / "o.exr"), readFile(folder / "whole.exr"));
@@ -88,8 +88,9 @@ TEST(CliRender, ResumesAfterAnInterrupt) {
                                      isSent = true;
                                      return SIGINT;
                                    }};
-  expectStatus(runImporton(tiny(kCornellBox, folder / "part.exr", {"--passes", "100000", "--checkpoint", state}), interrupt),
-               130);
+  expectStatus(
+      runImporton(tiny(kCornellBox, folder / "part.exr", {"--passes", "100000", "--checkpoint", state}), interrupt),
+      130);
   const int done = std::stoi(readExr(folder / "part.exr").attributes.at("importon:passes"));
   const std::string all = std::to_string(done + 2);
   expectStatus(runImporton(tiny(kCornellBox, folder / "whole.exr", {"--passes", all})), 0);
@@ -101,8 +102,7 @@ TEST(CliRender, RefusesACheckpointOfAnotherRun) {
   const TemporaryFolder folder;
   const std::string state = folder / "state";
   expectStatus(runImporton(tiny(kCornellBox, folder / "a.exr", {"--passes", "1", "--checkpoint", state})), 0);
-  for (const std::vector<std::string>& other :
-       {std::vector<std::string>{"--seed", "1"}, {"--gather", "2"}}) {
+  for (const std::vector<std::string>& other : {std::vector<std::string>{"--seed", "1"}, {"--gather", "2"}}) {
     auto arguments = tiny(kCornellBox, folder / "b.exr", {"--passes", "2", "--resume", state});
     arguments.insert(arguments.end(), other.begin(), other.end());
     const Outcome outcome = runImporton(arguments);
@@ -118,7 +118,8 @@ TEST(CliRender, RefusesATornCheckpoint) {
   const std::string state = folder / "state";
   expectStatus(runImporton(tiny(kCornellBox, folder / "a.exr", {"--passes", "1", "--checkpoint", state})), 0);
   writeFile(folder / "torn", readFile(state).substr(0, 10000));
-  const Outcome outcome = runImporton(tiny(kCornellBox, folder / "b.exr", {"--passes", "2", "--resume", folder / "torn"}));
+  const Outcome outcome =
+      runImporton(tiny(kCornellBox, folder / "b.exr", {"--passes", "2", "--resume", folder / "torn"}));
   EXPECT_EQ(outcome.status, 2);
   EXPECT_EQ(outcome.err.find("importon: error: the checkpoint is torn or damaged ("), 0u) << outcome.err;
 }

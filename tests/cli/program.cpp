@@ -60,8 +60,7 @@ bool readSome(int descriptor, std::string& text) {
 void collect(pid_t child, int out, int err, const RunOptions& options, Outcome& outcome) {
   bool isOutOpen = true, isErrOpen = true;
   while (isOutOpen || isErrOpen) {
-    std::array<pollfd, 2> sources{pollfd{isOutOpen ? out : -1, POLLIN, 0},
-                                  pollfd{isErrOpen ? err : -1, POLLIN, 0}};
+    std::array<pollfd, 2> sources{pollfd{isOutOpen ? out : -1, POLLIN, 0}, pollfd{isErrOpen ? err : -1, POLLIN, 0}};
     poll(sources.data(), sources.size(), options.onTick ? 1 : -1);
     if (options.onTick) {
       if (const int number = options.onTick(); number != 0) kill(child, number);

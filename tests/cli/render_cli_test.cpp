@@ -62,8 +62,8 @@ TEST(CliRender, SmokeTakesAnEnvironmentMap) {
 
 TEST(CliRender, SmokeWritesImagePreviewAndStats) {
   const TemporaryFolder folder;
-  const Outcome outcome = runImporton(smallRender(
-      folder / "o.exr", {"--passes", "2", "--png", folder / "o.png", "--stats", folder / "o.json"}));
+  const Outcome outcome = runImporton(
+      smallRender(folder / "o.exr", {"--passes", "2", "--png", folder / "o.png", "--stats", folder / "o.json"}));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(folder.entries(), 3);
@@ -82,8 +82,8 @@ TEST(CliRender, SmokeWritesImagePreviewAndStats) {
 TEST(CliRender, MeasuresTheErrorAfterEachPass) {
   const TemporaryFolder folder;
   ASSERT_EQ(runImporton(smallRender(folder / "r.exr", {"--passes", "3", "--seed", "2"})).status, 0);
-  ASSERT_EQ(runImporton(smallRender(folder / "o.exr", {"--passes", "3", "--reference", folder / "r.exr", "--stats",
-                                                       folder / "o.json"}))
+  ASSERT_EQ(runImporton(smallRender(folder / "o.exr",
+                                    {"--passes", "3", "--reference", folder / "r.exr", "--stats", folder / "o.json"}))
                 .status,
             0);
   const auto json = nlohmann::json::parse(readFile(folder / "o.json"));
@@ -105,10 +105,10 @@ TEST(CliRender, MeasuresTheErrorAfterEachPass) {
 TEST(CliRender, KeepsATimeBudget) {
   const TemporaryFolder folder;
   const auto start = std::chrono::steady_clock::now();
-  ASSERT_EQ(runImporton(smallRender(folder / "o.exr", {"--time", "6", "--photons", "4096", "--stats",
-                                                       folder / "o.json"}))
-                .status,
-            0);
+  ASSERT_EQ(
+      runImporton(smallRender(folder / "o.exr", {"--time", "6", "--photons", "4096", "--stats", folder / "o.json"}))
+          .status,
+      0);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   EXPECT_NEAR(seconds, 6, 1);
   const auto json = nlohmann::json::parse(readFile(folder / "o.json"));
@@ -120,8 +120,8 @@ TEST(CliRender, KeepsATimeBudget) {
 TEST(CliRender, RefusesAReferenceOfAnotherSize) {
   const TemporaryFolder folder;
   ASSERT_EQ(runImporton(smallRender(folder / "r.exr", {"--passes", "1"})).status, 0);
-  const Outcome outcome =
-      runImporton({kCornellBox, "-o", folder / "o.exr", "--width", "16", "--height", "12", "--reference", folder / "r.exr"});
+  const Outcome outcome = runImporton(
+      {kCornellBox, "-o", folder / "o.exr", "--width", "16", "--height", "12", "--reference", folder / "r.exr"});
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.err.find("32 x 24"), std::string::npos) << outcome.err;
   EXPECT_EQ(folder.entries(), 1);
@@ -228,15 +228,14 @@ TEST(CliRender, EndsAtOnceOnTheSecondInterrupt) {
   const TemporaryFolder folder;
   int sent = 0;
   const auto onErr = [&sent](const std::string& err) {
-    const bool isDue = sent == 0 ? err.find("pass 1/") != std::string::npos
-                                 : sent == 1 && err.find("once more") != std::string::npos;
+    const bool isDue =
+        sent == 0 ? err.find("pass 1/") != std::string::npos : sent == 1 && err.find("once more") != std::string::npos;
     if (!isDue) return 0;
     ++sent;
     return SIGINT;
   };
-  const Outcome outcome =
-      runImporton(smallRender(folder / "o.exr", {"--passes", "1000000", "--photons", "300000"}),
-                  {.hasTerminal = true, .onErr = onErr});
+  const Outcome outcome = runImporton(smallRender(folder / "o.exr", {"--passes", "1000000", "--photons", "300000"}),
+                                      {.hasTerminal = true, .onErr = onErr});
   EXPECT_EQ(sent, 2);
   // Whichever comes first: the signal, or the end of the pass.
   EXPECT_TRUE(outcome.signal == SIGINT || outcome.status == 130) << outcome.status;

@@ -56,8 +56,7 @@ TEST(Cli, HelpAndVersionGoToStdout) {
 
 TEST(Cli, AMissingSceneIsASceneErrorAndLeavesNothing) {
   const TemporaryFolder folder;
-  expectError(runImporton({folder / "none.gltf", "-o", folder / "o.exr", "--png", folder / "o.png"}), 2,
-              "none.gltf");
+  expectError(runImporton({folder / "none.gltf", "-o", folder / "o.exr", "--png", folder / "o.png"}), 2, "none.gltf");
   expectError(runImporton({"info", folder / "none.gltf"}), 2, "none.gltf");
   EXPECT_EQ(folder.entries(), 0);
 }
@@ -98,7 +97,8 @@ TEST(Cli, FilesOutsideTheScenesFolderNeedAFlag) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "scene");
   auto scene = nlohmann::json::parse(test::readFile(kCornellBox));
-  scene["buffers"][0]["uri"] = (std::filesystem::path(kCornellBox).parent_path() / scene["buffers"][0]["uri"].get<std::string>()).string();
+  scene["buffers"][0]["uri"] =
+      (std::filesystem::path(kCornellBox).parent_path() / scene["buffers"][0]["uri"].get<std::string>()).string();
   writeFile(folder / "scene/scene.gltf", scene.dump());
   expectError(runImporton({"info", folder / "scene/scene.gltf"}), 2, "--allow-outside-files");
   const Outcome outcome = runImporton({"info", folder / "scene/scene.gltf", "--allow-outside-files"});

@@ -15,13 +15,12 @@ using test::Outcome;
 using test::runImporton;
 using test::TemporaryFolder;
 
-
 class DeviceFaults : public testing::Test {
  protected:
   /// Renders a small image of two passes on a device with this fault: see fault_layer.cpp.
   [[nodiscard]] Outcome renderWith(const std::string& fault) const {
-    return runImporton({kCornellBox, "-o", folder_ / "o.exr", "--stats", folder_ / "o.json", "--width", "32", "--height", "24",
-                        "--photons", "4096", "--importons", "2048", "--passes", "2"},
+    return runImporton({kCornellBox, "-o", folder_ / "o.exr", "--stats", folder_ / "o.json", "--width", "32",
+                        "--height", "24", "--photons", "4096", "--importons", "2048", "--passes", "2"},
                        {.environment = {{"VK_INSTANCE_LAYERS", "VK_LAYER_IMPORTON_fault"},
                                         {"VK_LAYER_PATH", IMPORTON_FAULT_LAYER},
                                         {"IMPORTON_TEST_FAULT", fault}}});
@@ -52,7 +51,8 @@ TEST_F(DeviceFaults, ALostDeviceIsADeviceErrorWheneverItComes) {
 
 TEST_F(DeviceFaults, NoMemoryLeftSaysWhatIsNeededAndWhatThereIs) {
   for (const char* fault : {"memory 0", "memory 8"})
-    expectDeviceError(renderWith(fault), {"out of device memory: cannot allocate ", " MiB for buffer '", " MiB in use, of ", "--memory"});
+    expectDeviceError(renderWith(fault),
+                      {"out of device memory: cannot allocate ", " MiB for buffer '", " MiB in use, of ", "--memory"});
 }
 
 TEST_F(DeviceFaults, ADeviceThatIsTooSmallSaysWhatIsNeededAndWhatThereIs) {

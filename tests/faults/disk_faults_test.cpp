@@ -16,10 +16,9 @@ using test::Outcome;
 using test::runImporton;
 using test::TemporaryFolder;
 
-
 std::vector<std::string> smallRender(const std::string& output, std::initializer_list<std::string> more) {
-  std::vector<std::string> arguments{kCornellBox,      "-o",   output,        "--width", "64",       "--height", "48",
-                                     "--photons", "4096", "--importons", "2048"};
+  std::vector<std::string> arguments{kCornellBox, "-o",        output, "--width",     "64",  "--height",
+                                     "48",        "--photons", "4096", "--importons", "2048"};
   arguments.insert(arguments.end(), more);
   return arguments;
 }
@@ -38,7 +37,8 @@ TEST(DiskFaults, AFullDiskIsAnOutputError) {
   }
 }
 
-/// A folder on a disk of its own that holds `bytes`, or whose files may be no longer, which looks the same to a program.
+/// A folder on a disk of its own that holds `bytes`, or whose files may be no longer, which looks the same to a
+/// program.
 class ShortFiles {
  public:
   explicit ShortFiles(rlim_t bytes) {
@@ -77,7 +77,8 @@ TEST(DiskFaults, AFolderThatGoesAwayDuringTheRenderIsAnOutputError) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "out");
   const test::RunOptions removing{.hasTerminal = true, .onErr = [&](const std::string& err) {
-                                    if (err.find("pass 1/") != std::string::npos) std::filesystem::remove_all(folder / "out");
+                                    if (err.find("pass 1/") != std::string::npos)
+                                      std::filesystem::remove_all(folder / "out");
                                     return 0;
                                   }};
   const Outcome outcome = runImporton(smallRender(folder / "out/o.exr", {"--passes", "20"}), removing);

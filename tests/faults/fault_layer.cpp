@@ -32,7 +32,8 @@ const Fault& fault() {
 
 PFN_vkGetInstanceProcAddr nextInstanceProc = nullptr;
 PFN_vkGetDeviceProcAddr nextDeviceProc = nullptr;
-PFN_vkGetPhysicalDeviceMemoryProperties nextMemoryProperties = nullptr;  // asked for later, the loader names this layer's own
+PFN_vkGetPhysicalDeviceMemoryProperties nextMemoryProperties =
+    nullptr;  // asked for later, the loader names this layer's own
 VkInstance instance = VK_NULL_HANDLE;
 VkDevice device = VK_NULL_HANDLE;
 std::atomic<std::uint64_t> submissions{0};
@@ -86,7 +87,8 @@ VKAPI_ATTR void VKAPI_CALL destroyDevice(VkDevice destroyed, const VkAllocationC
   destroy(destroyed, allocator);
 }
 
-VKAPI_ATTR VkResult VKAPI_CALL queueSubmit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos, VkFence fence) {
+VKAPI_ATTR VkResult VKAPI_CALL queueSubmit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos,
+                                           VkFence fence) {
   if (fault().kind == "lost" && ++submissions >= fault().limit) return VK_ERROR_DEVICE_LOST;
   return next<PFN_vkQueueSubmit>("vkQueueSubmit")(queue, count, infos, fence);
 }
@@ -94,7 +96,8 @@ VKAPI_ATTR VkResult VKAPI_CALL queueSubmit(VkQueue queue, std::uint32_t count, c
 VKAPI_ATTR VkResult VKAPI_CALL allocateMemory(VkDevice of, const VkMemoryAllocateInfo* info,
                                               const VkAllocationCallbacks* allocator, VkDeviceMemory* memory) {
   const std::lock_guard lock(mutex);
-  if (fault().kind == "memory" && bytesInUse + info->allocationSize > fault().limit << 20) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+  if (fault().kind == "memory" && bytesInUse + info->allocationSize > fault().limit << 20)
+    return VK_ERROR_OUT_OF_DEVICE_MEMORY;
   const VkResult result = next<PFN_vkAllocateMemory>("vkAllocateMemory")(of, info, allocator, memory);
   if (result != VK_SUCCESS) return result;
   allocations[*memory] = info->allocationSize;
@@ -109,7 +112,8 @@ VKAPI_ATTR void VKAPI_CALL freeMemory(VkDevice of, VkDeviceMemory memory, const 
   next<PFN_vkFreeMemory>("vkFreeMemory")(of, memory, allocator);
 }
 
-VKAPI_ATTR void VKAPI_CALL getMemoryProperties(VkPhysicalDevice physical, VkPhysicalDeviceMemoryProperties* properties) {
+VKAPI_ATTR void VKAPI_CALL getMemoryProperties(VkPhysicalDevice physical,
+                                               VkPhysicalDeviceMemoryProperties* properties) {
   nextMemoryProperties(physical, properties);
   if (fault().kind != "heap") return;
   for (std::uint32_t i = 0; i < properties->memoryHeapCount; ++i)

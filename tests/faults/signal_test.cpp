@@ -23,8 +23,8 @@ using test::TemporaryFolder;
 Outcome interruptedAfter(std::chrono::milliseconds delay, int signal, const TemporaryFolder& folder) {
   test::RunOptions options;
   options.delayedSignal = {signal, delay};
-  return test::runImporton({kCornellBox, "-o", folder / "o.exr", "--png", folder / "o.png", "--width", "32", "--height", "24",
-                            "--photons", "4096", "--importons", "2048", "--passes", "1000000"},
+  return test::runImporton({kCornellBox, "-o", folder / "o.exr", "--png", folder / "o.png", "--width", "32", "--height",
+                            "24", "--photons", "4096", "--importons", "2048", "--passes", "1000000"},
                            options);
 }
 
@@ -74,10 +74,11 @@ Outcome interruptedWhileWriting(int number, int times, const TemporaryFolder& fo
   int sent = 0;
   test::RunOptions options;
   options.onTick = [&] { return sent < times && (sent > 0 || isWriting(folder, number)) ? (++sent, SIGTERM) : 0; };
-  const Outcome outcome = test::runImporton(
-      {kCornellBox, "-o", folder / "o.exr", "--png", folder / "o.png", "--checkpoint", folder / "o.state", "--integrator",
-       "path", "--max-depth", "1", "--width", std::to_string(kWideImage), "--height", "800", "--passes", "1"},
-      options);
+  const Outcome outcome =
+      test::runImporton({kCornellBox, "-o", folder / "o.exr", "--png", folder / "o.png", "--checkpoint",
+                         folder / "o.state", "--integrator", "path", "--max-depth", "1", "--width",
+                         std::to_string(kWideImage), "--height", "800", "--passes", "1"},
+                        options);
   EXPECT_EQ(sent, times) << "file " << number << " was never seen";
   return outcome;
 }
@@ -107,9 +108,9 @@ TEST(Signals, SlowTwiceWhileAFileIsWrittenTearNone) {
       EXPECT_EQ(test::readFile(folder / "o.png").substr(1, 3), "PNG");
     }
     if (!std::filesystem::exists(folder / "o.state")) continue;
-    const Outcome more = test::runImporton({kCornellBox, "-o", folder / "p.exr", "--resume", folder / "o.state", "--integrator",
-                                            "path", "--max-depth", "1", "--width", std::to_string(kWideImage), "--height",
-                                            "800", "--passes", "1"});
+    const Outcome more = test::runImporton({kCornellBox, "-o", folder / "p.exr", "--resume", folder / "o.state",
+                                            "--integrator", "path", "--max-depth", "1", "--width",
+                                            std::to_string(kWideImage), "--height", "800", "--passes", "1"});
     EXPECT_EQ(more.status, 0) << more.err;
   }
 }
@@ -127,10 +128,10 @@ void writeCrowd(const TemporaryFolder& folder, unsigned triangles) {
                   R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_lights_punctual"],"scenes":[{"nodes":[0,1]}],)"
                   R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"point"}]}},"nodes":[{"mesh":0},)"
                   R"({"extensions":{"KHR_lights_punctual":{"light":0}}}],"meshes":[{"primitives":[{"attributes":)"
-                  R"({"POSITION":0}}]}],"buffers":[{"uri":"crowd.bin","byteLength":)" + bytes +
-                  R"(}],"bufferViews":[{"buffer":0,"byteLength":)" + bytes +
-                  R"(}],"accessors":[{"bufferView":0,"type":"VEC3","componentType":5126,"count":)" + vertices +
-                  R"(,"min":[0,0,0],"max":[1,1,1]}]})");
+                  R"({"POSITION":0}}]}],"buffers":[{"uri":"crowd.bin","byteLength":)" +
+                      bytes + R"(}],"bufferViews":[{"buffer":0,"byteLength":)" + bytes +
+                      R"(}],"accessors":[{"bufferView":0,"type":"VEC3","componentType":5126,"count":)" + vertices +
+                      R"(,"min":[0,0,0],"max":[1,1,1]}]})");
 }
 
 TEST(Signals, SlowWhileTheTreeIsBuiltWriteNothing) {
@@ -145,8 +146,9 @@ TEST(Signals, SlowWhileTheTreeIsBuiltWriteNothing) {
       isSent = true;
       return signal;
     };
-    const Outcome outcome = test::runImporton({folder / "crowd.gltf", "-o", folder / "o.exr", "--width", "16", "--height", "16",
-                                               "--integrator", "path", "--passes", "1"}, options);
+    const Outcome outcome = test::runImporton({folder / "crowd.gltf", "-o", folder / "o.exr", "--width", "16",
+                                               "--height", "16", "--integrator", "path", "--passes", "1"},
+                                              options);
     EXPECT_TRUE(isSent) << outcome.err;
     EXPECT_EQ(outcome.status, 130) << outcome.err;
     EXPECT_EQ(folder.entries(), 2);

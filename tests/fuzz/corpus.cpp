@@ -31,8 +31,8 @@ void writeExr(const std::filesystem::path& file, Imf::Compression compression, b
   Imf::FrameBuffer frameBuffer;
   for (const char* name : {"R", "G", "B"}) {
     header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-    frameBuffer.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), sizeof(float),
-                                        sizeof(float) * kWidth));
+    frameBuffer.insert(
+        name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), sizeof(float), sizeof(float) * kWidth));
   }
   if (isTiled) {
     header.setTileDescription(Imf::TileDescription(4, 4, Imf::MIPMAP_LEVELS));

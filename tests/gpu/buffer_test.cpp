@@ -101,8 +101,7 @@ TEST_F(BufferTest, RoundsUpToWholeTexels) {
 TEST_F(BufferTest, RefusesMoreThanTheDeviceAllocates) {
   const std::uint64_t most = std::min(context().limits().maxAllocation, context().limits().heapBytes);
   const std::string message = messageFor(most + 1, TexelFormat::none);
-  EXPECT_NE(message.find("buffer 'photon map' needs " + std::to_string((most >> 20) + 1) + " MiB"),
-            std::string::npos)
+  EXPECT_NE(message.find("buffer 'photon map' needs " + std::to_string((most >> 20) + 1) + " MiB"), std::string::npos)
       << message;
   EXPECT_NE(message.find(" is " + std::to_string(most >> 20) + " MiB"), std::string::npos) << message;
 }

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
 #include <glslang/SPIRV/spirv.hpp>
+#include <set>
 
 #include "kernels/registry.h"
 #include "test_kernels/registry.h"
@@ -22,7 +22,8 @@ std::set<std::uint32_t> capabilitiesOf(std::span<const std::uint32_t> spirv) {
 }
 
 TEST(Capabilities, OfKernelsAreThoseOfEveryDevice) {
-  const std::set<std::uint32_t> everywhere = {spv::CapabilityShader, spv::CapabilitySampledBuffer, spv::CapabilityImageQuery};
+  const std::set<std::uint32_t> everywhere = {spv::CapabilityShader, spv::CapabilitySampledBuffer,
+                                              spv::CapabilityImageQuery};
   for (const std::string_view name : kernels::names())
     for (const std::uint32_t capability : capabilitiesOf(kernels::spirv(name)))
       EXPECT_TRUE(everywhere.contains(capability)) << name << " declares capability " << capability;

@@ -53,9 +53,7 @@ TEST_F(Context, OpensADeviceByIndexAndByName) {
   }
 }
 
-TEST_F(Context, RefusesAnUnknownDevice) {
-  EXPECT_THROW(gpu::Context({.device = "no such device"}), DeviceError);
-}
+TEST_F(Context, RefusesAnUnknownDevice) { EXPECT_THROW(gpu::Context({.device = "no such device"}), DeviceError); }
 
 TEST_F(Context, CountsAllocatedBytesAndTheirPeak) {
   gpu::Context own({});

@@ -60,8 +60,7 @@ TEST(DeviceChoice, TakesAPartOfTheNameInAnyCase) {
 }
 
 TEST(DeviceChoice, PrefersAUsableDeviceOfThatName) {
-  EXPECT_EQ(chooseDevice(std::vector{device("GPU A", "discrete", "x"), device("GPU B", "discrete")}, "gpu"),
-            1u);
+  EXPECT_EQ(chooseDevice(std::vector{device("GPU A", "discrete", "x"), device("GPU B", "discrete")}, "gpu"), 1u);
 }
 
 TEST(DeviceChoice, RefusesAnUnknownName) {

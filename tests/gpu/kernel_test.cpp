@@ -56,8 +56,7 @@ TEST_F(KernelTest, KeepsTheWorkgroupSizeThatTheKernelDeclares) {
 
 TEST_F(KernelTest, RefusesAWorkgroupSizeAboveTheLimit) {
   const Specialization tooLarge{0, context().limits().maxWorkgroupSize + 1};
-  EXPECT_THROW(Kernel(context(), "large", test_kernels::spirv("constants"), std::span(&tooLarge, 1)),
-               DeviceError);
+  EXPECT_THROW(Kernel(context(), "large", test_kernels::spirv("constants"), std::span(&tooLarge, 1)), DeviceError);
   const Specialization none{0, 0};
   EXPECT_THROW(Kernel(context(), "none", test_kernels::spirv("constants"), std::span(&none, 1)), DeviceError);
 }

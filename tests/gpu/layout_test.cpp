@@ -15,8 +15,7 @@ using test::difference;
 using test::hostLayouts;
 
 /// Compares all structs in the blocks of a module; adds the names of those seen.
-void expectSameLayout(std::string_view kernel, std::span<const std::uint32_t> spirv,
-                      std::set<std::string>& seen) {
+void expectSameLayout(std::string_view kernel, std::span<const std::uint32_t> spirv, std::set<std::string>& seen) {
   const Reflection module = reflect(spirv);
   EXPECT_LE(module.pushConstantBytes, 128u) << kernel;
   const auto host = hostLayouts();
@@ -40,9 +39,7 @@ TEST(Layout, EverySharedStructOfTheSceneIsLaidOutAsOnTheHost) {
 }
 
 /// A struct of a module that fits the host's Hit.
-ReflectedStruct hit() {
-  return {"Hit", {{"t", 0, 4}, {"u", 4, 4}, {"v", 8, 4}, {"triangle", 12, 4}}, 16, 16, false};
-}
+ReflectedStruct hit() { return {"Hit", {{"t", 0, 4}, {"u", 4, 4}, {"v", 8, 4}, {"triangle", 12, 4}}, 16, 16, false}; }
 
 TEST(Layout, DifferenceIsEmptyForTheSameLayout) { EXPECT_EQ(difference(hit(), hostLayouts()), ""); }
 

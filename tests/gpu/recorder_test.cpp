@@ -186,8 +186,7 @@ TEST_F(RecorderTest, SeveralMayRunAtOnceInThreads) {
     });
   }
   for (std::thread& thread : threads) thread.join();
-  for (std::uint32_t i = 0; i < buffers.size(); ++i)
-    EXPECT_EQ(buffers[i].download<std::uint32_t>(1)[0], i * 100 + 19);
+  for (std::uint32_t i = 0; i < buffers.size(); ++i) EXPECT_EQ(buffers[i].download<std::uint32_t>(1)[0], i * 100 + 19);
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ TEST_F(Packing, TheDeviceUnpacksLikeTheHost) {
     items.push_back(packNormal(direction));
     items.push_back(packTangent(direction, i % 3 == 0));
   }
-  const std::vector<float> results = test::runKernel<uint, float>(
-      context(), test_kernels::spirv("packing"), std::span<const uint>(items), items.size() * kFloats);
+  const std::vector<float> results = test::runKernel<uint, float>(context(), test_kernels::spirv("packing"),
+                                                                  std::span<const uint>(items), items.size() * kFloats);
   for (std::size_t i = 0; i < items.size(); ++i) {
     const float* result = &results[i * kFloats];
     const vec3 normal = unpackNormal(items[i]);
@@ -40,8 +40,8 @@ TEST_F(Packing, ColoursOnTheDeviceAreThoseOfTheHost) {
   const vec4 color(0.25f, 1.0f, 1000.0f, 0.5f);  // half floats hold these
   const uvec2 packed = packColor(color);
   const std::vector<uint> items = {packed.x, packed.y};
-  const std::vector<float> results = test::runKernel<uint, float>(context(), test_kernels::spirv("packing"),
-                                                                  std::span<const uint>(items), kFloats);
+  const std::vector<float> results =
+      test::runKernel<uint, float>(context(), test_kernels::spirv("packing"), std::span<const uint>(items), kFloats);
   for (int c = 0; c < 4; ++c) EXPECT_EQ(results[static_cast<std::size_t>(7 + c)], color[c]);
 }
 

@@ -38,8 +38,7 @@ TEST_F(Accessors, NormalisedIntegersReachOneAndNotBelowMinusOne) {
     builder_.json["accessors"][accessor]["normalized"] = true;
     return floats<2>(accessor)[0];
   };
-  EXPECT_EQ(normalized(builder_.addAccessor(std::vector<glm::i8vec2>{{-128, 127}}, kByte, "VEC2")),
-            glm::vec2(-1, 1));
+  EXPECT_EQ(normalized(builder_.addAccessor(std::vector<glm::i8vec2>{{-128, 127}}, kByte, "VEC2")), glm::vec2(-1, 1));
   EXPECT_EQ(normalized(builder_.addAccessor(std::vector<glm::u8vec2>{{51, 255}}, kUnsignedByte, "VEC2")),
             glm::vec2(0.2f, 1));
   EXPECT_EQ(normalized(builder_.addAccessor(std::vector<glm::i16vec2>{{-32767, 32767}}, kShort, "VEC2")),
@@ -52,8 +51,8 @@ TEST_F(Accessors, StrideSkipsWhatLiesBetween) {
   const float interleaved[] = {1, 2, 3, 99, 4, 5, 6, 99, 7, 8, 9};
   const int view = builder_.addView(interleaved, sizeof interleaved);
   builder_.json["bufferViews"][view]["byteStride"] = 16;
-  const int accessor = builder_.add(
-      "accessors", {{"bufferView", view}, {"componentType", kFloat}, {"count", 3}, {"type", "VEC3"}});
+  const int accessor =
+      builder_.add("accessors", {{"bufferView", view}, {"componentType", kFloat}, {"count", 3}, {"type", "VEC3"}});
   EXPECT_EQ(floats<3>(accessor), (std::vector<glm::vec3>{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}));
 }
 
@@ -122,8 +121,8 @@ TEST_F(Accessors, SparseIndicesAreReplacedToo) {
 
 TEST(QuantisedMesh, PositionsAreNormalisedIntegersUnderTheNodesScale) {
   GltfBuilder builder = GltfBuilder::emissiveTriangle();
-  const int positions = builder.addAccessor(
-      std::vector<glm::u16vec4>{{0, 0, 0, 0}, {65535, 0, 0, 0}, {0, 65535, 0, 0}}, kUnsignedShort, "VEC3");
+  const int positions = builder.addAccessor(std::vector<glm::u16vec4>{{0, 0, 0, 0}, {65535, 0, 0, 0}, {0, 65535, 0, 0}},
+                                            kUnsignedShort, "VEC3");
   builder.json["accessors"][positions]["normalized"] = true;
   const int view = builder.json["accessors"][positions]["bufferView"];
   builder.json["bufferViews"][view]["byteStride"] = 8;

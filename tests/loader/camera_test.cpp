@@ -7,9 +7,8 @@
 namespace importon::test {
 namespace {
 
-const Json kPerspective = {{"name", "main"},
-                           {"type", "perspective"},
-                           {"perspective", {{"yfov", 0.7}, {"aspectRatio", 1.5}, {"znear", 0.1}}}};
+const Json kPerspective = {
+    {"name", "main"}, {"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"aspectRatio", 1.5}, {"znear", 0.1}}}};
 
 /// The emissive triangle seen by `camera` from a node.
 GltfBuilder seen(const Json& camera, Json node = Json::object()) {
@@ -34,9 +33,9 @@ TEST(Camera, ReadsAPerspective) {
 }
 
 TEST(Camera, ReadsAnOrthographicOne) {
-  const Scene scene = load(
-      seen({{"type", "orthographic"}, {"orthographic", {{"xmag", -2}, {"ymag", 3}, {"znear", 0}, {"zfar", 9}}}},
-           {{"name", "stand"}}));
+  const Scene scene =
+      load(seen({{"type", "orthographic"}, {"orthographic", {{"xmag", -2}, {"ymag", 3}, {"znear", 0}, {"zfar", 9}}}},
+                {{"name", "stand"}}));
   EXPECT_TRUE(scene.cameras[0].isOrthographic);
   EXPECT_EQ(scene.cameras[0].xmag, 2);
   EXPECT_EQ(scene.cameras[0].ymag, 3);
@@ -44,9 +43,8 @@ TEST(Camera, ReadsAnOrthographicOne) {
 }
 
 TEST(Camera, SizesThatAreNoneAreNotGiven) {
-  for (const Json& extras :
-       {Json{{"width", -3}, {"height", 2}}, Json{{"width", "3"}, {"height", 2}}, Json{{"width", 3}},
-        Json{{"width", 4000000000}, {"height", 4000000000}}, Json(7)}) {
+  for (const Json& extras : {Json{{"width", -3}, {"height", 2}}, Json{{"width", "3"}, {"height", 2}},
+                             Json{{"width", 3}}, Json{{"width", 4000000000}, {"height", 4000000000}}, Json(7)}) {
     Json camera = kPerspective;
     camera["extras"] = extras;
     EXPECT_EQ(load(seen(camera)).cameras[0].width, 0) << extras;
@@ -54,10 +52,9 @@ TEST(Camera, SizesThatAreNoneAreNotGiven) {
 }
 
 TEST(Camera, LosesItsScaleButNotItsPlaceAndMirror) {
-  const Camera camera =
-      load(seen(kPerspective, {{"translation", {1, 2, 3}}, {"scale", {-2, 3, 4}}})).cameras.at(0);
-  EXPECT_EQ(camera.worldFromCamera, glm::dmat4(glm::dvec4(-1, 0, 0, 0), glm::dvec4(0, 1, 0, 0),
-                                               glm::dvec4(0, 0, 1, 0), glm::dvec4(1, 2, 3, 1)));
+  const Camera camera = load(seen(kPerspective, {{"translation", {1, 2, 3}}, {"scale", {-2, 3, 4}}})).cameras.at(0);
+  EXPECT_EQ(camera.worldFromCamera, glm::dmat4(glm::dvec4(-1, 0, 0, 0), glm::dvec4(0, 1, 0, 0), glm::dvec4(0, 0, 1, 0),
+                                               glm::dvec4(1, 2, 3, 1)));
 }
 
 TEST(Camera, StaysInTheWorldWhenTheSceneIsFarAway) {

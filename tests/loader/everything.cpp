@@ -22,8 +22,8 @@ GltfBuilder everything() {
       {"values", {{"bufferView", builder.addView(&value, sizeof value)}}}};
   Json& material = builder.json["materials"][0];
   const int png = builder.addTexture(makePng(4, 4, Bytes(64, 100)), {{"wrapS", 33071}, {"magFilter", 9729}});
-  material["emissiveTexture"] = {
-      {"index", png}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0}}, {"rotation", 1}}}}}};
+  material["emissiveTexture"] = {{"index", png},
+                                 {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0}}, {"rotation", 1}}}}}};
   material["normalTexture"] = {{"index", builder.addTexture(makeJpeg(8, 8, Bytes(192, 100)))}};
   material["extensions"]["KHR_materials_volume"] = {{"thicknessFactor", 1}, {"attenuationDistance", 2}};
   builder.json["extensions"]["KHR_lights_punctual"]["lights"] =

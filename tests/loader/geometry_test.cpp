@@ -84,8 +84,7 @@ TEST(DegenerateTriangles, AreDroppedWithACount) {
 
 TEST(DegenerateTriangles, ThinNeedlesStay) {
   GltfBuilder builder = GltfBuilder::emissiveTriangle();
-  builder.primitive()["attributes"]["POSITION"] =
-      builder.addPositions({{0, 0, 0}, {1, 0, 0}, {0.5f, 1e-6f, 0}});
+  builder.primitive()["attributes"]["POSITION"] = builder.addPositions({{0, 0, 0}, {1, 0, 0}, {0.5f, 1e-6f, 0}});
   EXPECT_EQ(load(builder).triangles.size(), 1u);
 }
 

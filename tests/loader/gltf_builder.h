@@ -15,8 +15,8 @@ using Json = nlohmann::json;
 using Bytes = std::vector<unsigned char>;
 
 // componentType of glTF
-inline constexpr int kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123,
-                     kUnsignedInt = 5125, kFloat = 5126;
+inline constexpr int kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123, kUnsignedInt = 5125,
+                     kFloat = 5126;
 
 [[nodiscard]] std::string base64(std::span<const unsigned char> bytes);
 [[nodiscard]] std::span<const std::byte> asBytes(const Bytes& bytes);
@@ -38,14 +38,11 @@ class GltfBuilder {
   template <typename T>
   int addAccessor(const std::vector<T>& values, int componentType, const std::string& type) {
     const int view = addView(values.data(), values.size() * sizeof(T));
-    return add(
-        "accessors",
-        {{"bufferView", view}, {"componentType", componentType}, {"count", values.size()}, {"type", type}});
+    return add("accessors",
+               {{"bufferView", view}, {"componentType", componentType}, {"count", values.size()}, {"type", type}});
   }
   int addPositions(const std::vector<glm::vec3>& positions) { return addAccessor(positions, kFloat, "VEC3"); }
-  int addIndices(const std::vector<std::uint16_t>& indices) {
-    return addAccessor(indices, kUnsignedShort, "SCALAR");
-  }
+  int addIndices(const std::vector<std::uint16_t>& indices) { return addAccessor(indices, kUnsignedShort, "SCALAR"); }
   /// An element of a top-level array.
   int add(const std::string& array, const Json& element);
   /// A node that the scene lists.

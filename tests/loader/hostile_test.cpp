@@ -31,10 +31,13 @@ void expectRefusedCheaply(const Bytes& file, const std::string& part) {
   EXPECT_LT(peakBytes() - bytesBefore, (std::int64_t{64} << 20) + 16 * static_cast<std::int64_t>(file.size()));
 }
 
-void expectRefusedCheaply(const GltfBuilder& builder, const std::string& part) { expectRefusedCheaply(builder.glb(), part); }
+void expectRefusedCheaply(const GltfBuilder& builder, const std::string& part) {
+  expectRefusedCheaply(builder.glb(), part);
+}
 
 TEST(HostileFile, SizesThatOverflow) {
-  for (const std::uint64_t huge : {std::uint64_t{1} << 31, std::uint64_t{1} << 32, std::uint64_t{1} << 62, ~std::uint64_t{0}}) {
+  for (const std::uint64_t huge :
+       {std::uint64_t{1} << 31, std::uint64_t{1} << 32, std::uint64_t{1} << 62, ~std::uint64_t{0}}) {
     for (const char* member : {"byteOffset", "byteLength"}) {
       GltfBuilder view = GltfBuilder::emissiveTriangle();
       view.json["bufferViews"][0][member] = huge;
@@ -68,7 +71,9 @@ TEST(HostileFile, CountsOfTwoToTheThirtyFirst) {
 TEST(HostileFile, ImageOfTenGigapixelsInAHundredBytes) {
   GltfBuilder builder = GltfBuilder::emissiveTriangle();
   Bytes png = makePng(1, 1, {1, 2, 3, 4});
-  constexpr unsigned char kHeader[] = {0x00, 0x01, 0x86, 0xA0, 0x00, 0x01, 0x86, 0xA0, 0x08, 0x06, 0x00, 0x00, 0x00, 0xA8, 0x52, 0x0B, 0xC8};  // width, height, RGBA of 8 bits, checksum
+  constexpr unsigned char kHeader[] = {
+      0x00, 0x01, 0x86, 0xA0, 0x00, 0x01, 0x86, 0xA0, 0x08,
+      0x06, 0x00, 0x00, 0x00, 0xA8, 0x52, 0x0B, 0xC8};  // width, height, RGBA of 8 bits, checksum
   std::copy(std::begin(kHeader), std::end(kHeader), png.begin() + 16);
   EXPECT_LT(png.size(), 100u);
   builder.json["materials"][0]["emissiveTexture"]["index"] = builder.addTexture(png);

@@ -12,8 +12,7 @@ namespace importon::test {
 namespace {
 
 void appendBigEndian(Bytes& bytes, std::uint32_t word) {
-  for (int shift = 24; shift >= 0; shift -= 8)
-    bytes.push_back(static_cast<unsigned char>(word >> shift & 0xFFu));
+  for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<unsigned char>(word >> shift & 0xFFu));
 }
 
 /// ISO 3309, as PNG asks for.

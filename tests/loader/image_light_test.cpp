@@ -6,11 +6,10 @@
 #include "loader/image_builder.h"
 #include "loader/load.h"
 #include "scene/environment.h"
+#include "scene/light_math.h"
 
 namespace importon::test {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 GltfBuilder withLight(const Json& light) {
   GltfBuilder builder = GltfBuilder::emissiveTriangle();
@@ -26,9 +25,13 @@ GltfBuilder coloredCube(const Json& more = {}) {
   Json faces = Json::array();
   for (unsigned char face = 0; face < 6; ++face) {
     Bytes rgba;
-    for (int i = 0; i < 16; ++i) rgba.insert(rgba.end(), {static_cast<unsigned char>(face % 2 == 0 ? 255 : 0), static_cast<unsigned char>(face / 2 == 1 ? 255 : 0), static_cast<unsigned char>(face / 2 == 2 ? 255 : 0), 51});
+    for (int i = 0; i < 16; ++i)
+      rgba.insert(rgba.end(), {static_cast<unsigned char>(face % 2 == 0 ? 255 : 0),
+                               static_cast<unsigned char>(face / 2 == 1 ? 255 : 0),
+                               static_cast<unsigned char>(face / 2 == 2 ? 255 : 0), 51});
     const Bytes png = makePng(4, 4, rgba);
-    faces.push_back(builder.add("images", {{"bufferView", builder.addView(png.data(), png.size())}, {"mimeType", "image/png"}}));
+    faces.push_back(
+        builder.add("images", {{"bufferView", builder.addView(png.data(), png.size())}, {"mimeType", "image/png"}}));
   }
   Json& light = builder.json["extensions"]["EXT_lights_image_based"]["lights"][0];
   light = {{"specularImages", Json::array({faces})}, {"specularImageSize", 4}};
@@ -39,7 +42,8 @@ GltfBuilder coloredCube(const Json& more = {}) {
 /// The texel in a direction, where the middle of a map is -z, its right half +x, its top +y.
 vec3 towards(const EnvironmentMap& map, const glm::dvec3& d) {
   const double u = 0.5 + std::atan2(d.x, -d.z) / (2 * kPi), v = std::acos(d.y) / kPi;
-  const auto x = std::min(static_cast<int>(u * map.width), map.width - 1), y = std::min(static_cast<int>(v * map.height), map.height - 1);
+  const auto x = std::min(static_cast<int>(u * map.width), map.width - 1),
+             y = std::min(static_cast<int>(v * map.height), map.height - 1);
   return map.texels[static_cast<std::size_t>(y * map.width + x)];
 }
 
@@ -69,7 +73,8 @@ TEST(ImageLight, FacesAreSeenFromInside) {
   Bytes rgb;
   for (int i = 0; i < 256; ++i) rgb.insert(rgb.end(), 3, static_cast<unsigned char>(i % 16 < 8 ? 255 : 0));
   const Bytes jpeg = makeJpeg(16, 16, rgb);
-  const int lit = builder.add("images", {{"bufferView", builder.addView(jpeg.data(), jpeg.size())}, {"mimeType", "image/jpeg"}});
+  const int lit =
+      builder.add("images", {{"bufferView", builder.addView(jpeg.data(), jpeg.size())}, {"mimeType", "image/jpeg"}});
   for (Json& face : builder.json["extensions"]["EXT_lights_image_based"]["lights"][0]["specularImages"][0]) face = lit;
   const Scene scene = load(builder);
   EXPECT_GT(towards(*scene.environment, glm::normalize(glm::dvec3(-0.6, 0, -1))).x, 0.9f);

@@ -57,8 +57,7 @@ TEST(Image, RefusesWhatIsCutOff) {
   const Bytes jpeg = makeJpeg(16, 16, Bytes(768, 200));
   for (const Bytes& whole : {png, jpeg}) {
     for (std::size_t length = 0; length + 2 < whole.size(); ++length) {
-      EXPECT_NE(refusal(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length))), "")
-          << length;
+      EXPECT_NE(refusal(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length))), "") << length;
     }
     EXPECT_EQ(refusal(whole), "");
   }
@@ -67,8 +66,7 @@ TEST(Image, RefusesWhatIsCutOff) {
 TEST(Image, RefusesAHugeDeclaredSizeBeforeDecoding) {
   EXPECT_NE(refusal(makePng({.width = 16385}, {1, 2, 3, 4})), "");
   EXPECT_NE(refusal(makePng({.width = 0x7FFFFFFF, .height = 1}, {1, 2, 3, 4})), "");
-  EXPECT_NE(refusal(makePng({.width = 16384, .height = 16384}, Bytes(16384, 0))).find("texels"),
-            std::string::npos);
+  EXPECT_NE(refusal(makePng({.width = 16384, .height = 16384}, Bytes(16384, 0))).find("texels"), std::string::npos);
 }
 
 TEST(Image, ColourChunksHaveNoEffect) {

@@ -4,12 +4,11 @@
 
 #include "loader/image_builder.h"
 #include "loader/load.h"
+#include "scene/light_math.h"
 #include "scene/lights.h"
 
 namespace importon::test {
 namespace {
-
-constexpr double kPi = glm::pi<double>();
 
 /// A file whose only light is a punctual one, at a node that `node` places.
 GltfBuilder punctual(const Json& light, Json node = Json::object()) {
@@ -86,10 +85,9 @@ TEST(PunctualLights, DefaultsAreWhiteOfOneCandela) {
 
 TEST(PunctualLights, SpotLightsLookAlongMinusZ) {
   const double half = std::sqrt(0.5);
-  const Light light =
-      load(punctual({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.2}, {"outerConeAngle", 0.5}}}},
-                    {{"rotation", {0, half, 0, half}}}))
-          .lights.at(0);
+  const Light light = load(punctual({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.2}, {"outerConeAngle", 0.5}}}},
+                                    {{"rotation", {0, half, 0, half}}}))
+                          .lights.at(0);
   EXPECT_EQ(light.kind, kLightSpot);
   EXPECT_LT(glm::length(light.direction - vec3(-1, 0, 0)), 1e-6f);
   EXPECT_NEAR(light.cosInner, std::cos(0.2), 1e-6);
@@ -109,23 +107,19 @@ TEST(PunctualLights, SpotPowerIsTheIntegralOverTheCone) {
   constexpr int kSteps = 200000;
   for (int i = 0; i < kSteps; ++i) {  // midpoints in the polar angle
     const double theta = (i + 0.5) / kSteps * outer;
-    const double ramp =
-        std::clamp((std::cos(theta) - std::cos(outer)) / (std::cos(inner) - std::cos(outer)), 0.0, 1.0);
+    const double ramp = std::clamp((std::cos(theta) - std::cos(outer)) / (std::cos(inner) - std::cos(outer)), 0.0, 1.0);
     sum += 2 * kPi * ramp * ramp * std::sin(theta) * outer / kSteps;
   }
-  const float power =
-      spotPower(vec3(7), static_cast<float>(std::cos(inner)), static_cast<float>(std::cos(outer)));
+  const float power = spotPower(vec3(7), static_cast<float>(std::cos(inner)), static_cast<float>(std::cos(outer)));
   EXPECT_NEAR(power, 7 * sum, 1e-4);
 }
 
 TEST(PunctualLights, SharpConesCanBeDividedBy) {
   const Light light =
-      load(punctual({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.4}, {"outerConeAngle", 0.4}}}}))
-          .lights.at(0);
+      load(punctual({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.4}, {"outerConeAngle", 0.4}}}})).lights.at(0);
   EXPECT_GT(light.cosInner, light.cosOuter);
   const Light narrow =
-      load(punctual({{"type", "spot"}, {"spot", {{"innerConeAngle", 0}, {"outerConeAngle", 1e-6}}}}))
-          .lights.at(0);
+      load(punctual({{"type", "spot"}, {"spot", {{"innerConeAngle", 0}, {"outerConeAngle", 1e-6}}}})).lights.at(0);
   EXPECT_GT(narrow.cosInner, narrow.cosOuter);
 }
 

@@ -9,9 +9,7 @@
 
 namespace importon::test {
 
-inline Scene load(const Bytes& bytes, Log& log) {
-  return loadGltfFromMemory(asBytes(bytes), "test.glb", {}, log);
-}
+inline Scene load(const Bytes& bytes, Log& log) { return loadGltfFromMemory(asBytes(bytes), "test.glb", {}, log); }
 
 inline Scene load(const GltfBuilder& builder) {
   Log log(Log::Verbosity::quiet);

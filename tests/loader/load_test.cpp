@@ -1,10 +1,11 @@
 // Large files: much of everything, in time that grows with their size alone.
+#include "loader/load.h"
+
 #include <gtest/gtest.h>
 
 #include <chrono>
 
 #include "loader/image_builder.h"
-#include "loader/load.h"
 
 namespace importon::test {
 namespace {
@@ -24,9 +25,11 @@ TEST(Load, BearsAThousandTextures) {
       builder.addAccessor(std::vector<glm::vec2>{{0, 0}, {1, 0}, {0, 1}}, kFloat, "VEC2");
   const Json primitive = builder.primitive();
   for (int i = 0; i < 1000; ++i) {
-    const int texture = builder.addTexture(makePng(1, 1, {static_cast<unsigned char>(i % 256), static_cast<unsigned char>(i / 256), 0, 255}));
+    const int texture = builder.addTexture(
+        makePng(1, 1, {static_cast<unsigned char>(i % 256), static_cast<unsigned char>(i / 256), 0, 255}));
     Json own = primitive;
-    own["material"] = builder.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}});
+    own["material"] =
+        builder.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}});
     builder.addMesh(own);
   }
   Scene scene;
@@ -41,7 +44,9 @@ TEST(Load, BearsTenThousandNodesSideBySideWithLights) {
   GltfBuilder builder = GltfBuilder::emissiveTriangle();
   builder.json["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({{{"type", "point"}}});
   for (int i = 0; i < 10000; ++i)
-    builder.addRoot({{"mesh", 0}, {"translation", {i % 100, i / 100, 0}}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    builder.addRoot({{"mesh", 0},
+                     {"translation", {i % 100, i / 100, 0}},
+                     {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
   Scene scene;
   EXPECT_LT(secondsOf(builder, scene), kMostSeconds);
   EXPECT_EQ(scene.triangles.size(), 10001u);

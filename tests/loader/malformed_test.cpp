@@ -36,8 +36,7 @@ using B = GltfBuilder;
 const Malformed kStructure[] = {
     {"NoAsset", [](B& b) { b.json.erase("asset"); }, "'asset' is missing", ""},
     {"NoVersion", [](B& b) { b.json["asset"].erase("version"); }, "'version' is missing", "/asset"},
-    {"OldVersion", [](B& b) { b.json["asset"]["version"] = "1.0"; }, "needs glTF version 1.0",
-     "/asset/version"},
+    {"OldVersion", [](B& b) { b.json["asset"]["version"] = "1.0"; }, "needs glTF version 1.0", "/asset/version"},
     {"OldVersionWithObjects",
      [](B& b) {
        b.json["asset"]["version"] = "1.0";
@@ -47,19 +46,15 @@ const Malformed kStructure[] = {
     {"NewMinVersion", [](B& b) { b.json["asset"]["minVersion"] = "2.1"; }, "needs glTF version 2.1",
      "/asset/minVersion"},
     {"VersionIsNumber", [](B& b) { b.json["asset"]["version"] = 2; }, "expected a string", "/asset/version"},
-    {"MeshesIsObject", [](B& b) { b.json["meshes"] = Json::object(); }, "expected an array of objects",
-     "/meshes"},
+    {"MeshesIsObject", [](B& b) { b.json["meshes"] = Json::object(); }, "expected an array of objects", "/meshes"},
     {"MeshIsNumber", [](B& b) { b.json["meshes"][0] = 1; }, "expected an array of objects", "/meshes/0"},
-    {"NoPrimitives", [](B& b) { b.json["meshes"][0].erase("primitives"); }, "'primitives' is missing",
-     "/meshes/0"},
+    {"NoPrimitives", [](B& b) { b.json["meshes"][0].erase("primitives"); }, "'primitives' is missing", "/meshes/0"},
     {"NoAttributes", [](B& b) { b.primitive().erase("attributes"); }, "'attributes' is missing",
      "/meshes/0/primitives/0"},
     {"NoPosition", [](B& b) { b.primitive()["attributes"] = Json::object(); }, "POSITION is missing",
      "/meshes/0/primitives/0/attributes"},
-    {"ModeTooLarge", [](B& b) { b.primitive()["mode"] = 7; }, "7 lies outside 0 to 6",
-     "/meshes/0/primitives/0/mode"},
-    {"ModeIsString", [](B& b) { b.primitive()["mode"] = "4"; }, "expected an integer",
-     "/meshes/0/primitives/0/mode"},
+    {"ModeTooLarge", [](B& b) { b.primitive()["mode"] = 7; }, "7 lies outside 0 to 6", "/meshes/0/primitives/0/mode"},
+    {"ModeIsString", [](B& b) { b.primitive()["mode"] = "4"; }, "expected an integer", "/meshes/0/primitives/0/mode"},
     {"SceneMissing", [](B& b) { b.json["scene"] = 5; }, "index 5 is not among the 1 scenes", "/scene"},
     {"NodeMissing", [](B& b) { b.json["scenes"][0]["nodes"] = {9}; }, "index 9 is not among the 1 nodes",
      "/scenes/0/nodes/0"},
@@ -79,27 +74,26 @@ INSTANTIATE_TEST_SUITE_P(Structure, MalformedFile, testing::ValuesIn(kStructure)
 
 const Malformed kData[] = {
     {"NoCount", [](B& b) { b.json["accessors"][0].erase("count"); }, "'count' is missing", "/accessors/0"},
-    {"CountZero", [](B& b) { b.json["accessors"][0]["count"] = 0; }, "0 lies outside 1 to",
-     "/accessors/0/count"},
+    {"CountZero", [](B& b) { b.json["accessors"][0]["count"] = 0; }, "0 lies outside 1 to", "/accessors/0/count"},
     {"CountPastView", [](B& b) { b.json["accessors"][0]["count"] = 4; },
      "4 elements of 12 bytes from byte 0 on reach past the buffer view of 36 bytes",
      "/meshes/0/primitives/0/attributes/POSITION"},
     {"CountOverflows", [](B& b) { b.json["accessors"][0]["count"] = 2147483647; }, "reach past the buffer view",
      "/meshes/0/primitives/0/attributes/POSITION"},
-    {"CountBeyondIntegers", [](B& b) { b.json["accessors"][0]["count"] = 18446744073709551615u; },
-     "lies outside 1 to", "/accessors/0/count"},
-    {"OffsetPastView", [](B& b) { b.json["accessors"][0]["byteOffset"] = 2147483647; },
-     "reach past the buffer view", "/meshes/0/primitives/0/attributes/POSITION"},
-    {"UnknownComponentType", [](B& b) { b.json["accessors"][0]["componentType"] = 5124; },
-     "component type 5124", "/meshes/0/primitives/0/attributes/POSITION"},
+    {"CountBeyondIntegers", [](B& b) { b.json["accessors"][0]["count"] = 18446744073709551615u; }, "lies outside 1 to",
+     "/accessors/0/count"},
+    {"OffsetPastView", [](B& b) { b.json["accessors"][0]["byteOffset"] = 2147483647; }, "reach past the buffer view",
+     "/meshes/0/primitives/0/attributes/POSITION"},
+    {"UnknownComponentType", [](B& b) { b.json["accessors"][0]["componentType"] = 5124; }, "component type 5124",
+     "/meshes/0/primitives/0/attributes/POSITION"},
     {"WrongType", [](B& b) { b.json["accessors"][0]["type"] = "VEC2"; }, "does not hold vectors of 3",
      "/meshes/0/primitives/0/attributes/POSITION"},
     {"MatrixForVector", [](B& b) { b.json["accessors"][0]["type"] = "MAT2"; }, "does not hold vectors of 3",
      "/meshes/0/primitives/0/attributes/POSITION"},
     {"UnknownType", [](B& b) { b.json["accessors"][0]["type"] = "VEC9"; }, "'VEC9' is none of SCALAR",
      "/accessors/0/type"},
-    {"ViewMissing", [](B& b) { b.json["accessors"][0]["bufferView"] = 8; },
-     "index 8 is not among the 1 bufferViews", "/accessors/0/bufferView"},
+    {"ViewMissing", [](B& b) { b.json["accessors"][0]["bufferView"] = 8; }, "index 8 is not among the 1 bufferViews",
+     "/accessors/0/bufferView"},
     {"ViewPastBuffer", [](B& b) { b.json["bufferViews"][0]["byteLength"] = 37; },
      "bytes 0 to 37 lie outside the buffer of 36 bytes", "/bufferViews/0"},
     {"ViewOffsetPastBuffer", [](B& b) { b.json["bufferViews"][0]["byteOffset"] = 2147483647; },
@@ -205,17 +199,16 @@ const Malformed kMeaning[] = {
        b.json["nodes"][0]["matrix"] = Json::array({1, 0, 0, 0, 1, 0, 0, 0, 1});
      },
      "expected 16 numbers but found 9", "/nodes/0/matrix"},
-    {"ProjectiveMatrix",
-     [](B& b) { b.json["nodes"][0]["matrix"] = {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}; }, "last row",
-     "/nodes/0/matrix"},
+    {"ProjectiveMatrix", [](B& b) { b.json["nodes"][0]["matrix"] = {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}; },
+     "last row", "/nodes/0/matrix"},
     {"UnknownRequiredExtension",
      [](B& b) {
        b.json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
        b.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
      },
      "requires the extension KHR_draco_mesh_compression", "/extensionsRequired/0"},
-    {"ExtensionsRequiredIsText", [](B& b) { b.json["extensionsRequired"] = "KHR_x"; },
-     "expected an array of strings", "/extensionsRequired"},
+    {"ExtensionsRequiredIsText", [](B& b) { b.json["extensionsRequired"] = "KHR_x"; }, "expected an array of strings",
+     "/extensionsRequired"},
     {"EnvironmentWithoutRadiance",
      [](B& b) {
        b.json["scenes"][0]["extras"]["environment"] = {{"type", "constant"}};
@@ -237,8 +230,8 @@ INSTANTIATE_TEST_SUITE_P(Meaning, MalformedFile, testing::ValuesIn(kMeaning),
                          [](const auto& instance) { return instance.param.name; });
 
 TEST(MalformedJson, IsRefused) {
-  for (const char* text : {"{", "not JSON at all", "{\"asset\":{\"version\":\"2.0\"}} trailing",
-                           "{\"a\":1e999}", "{\"asset\":{\"version\":\"\xFF\xFE\"}}", "[1,2"}) {
+  for (const char* text : {"{", "not JSON at all", "{\"asset\":{\"version\":\"2.0\"}} trailing", "{\"a\":1e999}",
+                           "{\"asset\":{\"version\":\"\xFF\xFE\"}}", "[1,2"}) {
     EXPECT_NE(errorOf(toBytes(text)).find("the JSON is malformed"), std::string::npos) << text;
   }
 }
@@ -259,8 +252,7 @@ TEST(MissingFile, IsRefused) {
     FAIL();
   } catch (const SceneError& error) {
     EXPECT_EQ(error.status(), ExitStatus::scene);
-    EXPECT_NE(std::string(error.what()).find("does not exist (no/such/file.glb)"), std::string::npos)
-        << error.what();
+    EXPECT_NE(std::string(error.what()).find("does not exist (no/such/file.glb)"), std::string::npos) << error.what();
   }
 }
 

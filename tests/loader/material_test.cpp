@@ -30,9 +30,9 @@ TEST(Material, DefaultsAreThoseOfGltf) {
   EXPECT_EQ(material.normalScale, 1);
   EXPECT_EQ(material.flags, kMaterialEmissive);
   for (const uint texture :
-       {material.baseColorTexture, material.metallicRoughnessTexture, material.normalTexture,
-        material.emissiveTexture, material.transmissionTexture, material.specularTexture,
-        material.specularColorTexture, material.clearcoatTexture, material.clearcoatRoughnessTexture}) {
+       {material.baseColorTexture, material.metallicRoughnessTexture, material.normalTexture, material.emissiveTexture,
+        material.transmissionTexture, material.specularTexture, material.specularColorTexture,
+        material.clearcoatTexture, material.clearcoatRoughnessTexture}) {
     EXPECT_EQ(texture, kNone);
   }
 }
@@ -65,16 +65,14 @@ TEST(Material, ReadsMetallicRoughness) {
 TEST(Material, EmissionIsFactorTimesStrength) {
   EXPECT_EQ(materialWith([](Json&) {}).emission, vec3(1, 2, 3));
   EXPECT_EQ(materialWith([](Json& json) { json.erase("extensions"); }).emission, vec3(0.25f, 0.5f, 0.75f));
-  const Material dim = materialWith([](Json& json) {
-    json["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = 0.5;
-  });
+  const Material dim =
+      materialWith([](Json& json) { json["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = 0.5; });
   EXPECT_EQ(dim.emission, vec3(0.125f, 0.25f, 0.375f));
 }
 
 TEST(Material, AStrengthBeyond32BitIntegersIsKept) {
-  const Material material = materialWith([](Json& json) {
-    json["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = 8000000000;
-  });
+  const Material material = materialWith(
+      [](Json& json) { json["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = 8000000000; });
   EXPECT_EQ(material.emission, vec3(2e9f, 4e9f, 6e9f));
 }
 
@@ -131,10 +129,8 @@ TEST(Material, AbsorptionFollowsFromAttenuation) {
 
 TEST(Material, ReadsSpecularAndClearcoat) {
   const Material material = materialWith([](Json& json) {
-    json["extensions"]["KHR_materials_specular"] = {{"specularFactor", 0},
-                                                    {"specularColorFactor", {0.1, 0.2, 3}}};
-    json["extensions"]["KHR_materials_clearcoat"] = {{"clearcoatFactor", 0.5},
-                                                     {"clearcoatRoughnessFactor", 0.1}};
+    json["extensions"]["KHR_materials_specular"] = {{"specularFactor", 0}, {"specularColorFactor", {0.1, 0.2, 3}}};
+    json["extensions"]["KHR_materials_clearcoat"] = {{"clearcoatFactor", 0.5}, {"clearcoatRoughnessFactor", 0.1}};
   });
   EXPECT_EQ(material.specular, 0);
   EXPECT_EQ(material.specularColor, vec3(0.1f, 0.2f, 3));
@@ -179,8 +175,7 @@ TEST(Material, EachTextureFindsItsSlotAndItsMeaning) {
       {"/extensions/KHR_materials_specular/specularTexture", &Material::specularTexture, false},
       {"/extensions/KHR_materials_specular/specularColorTexture", &Material::specularColorTexture, true},
       {"/extensions/KHR_materials_clearcoat/clearcoatTexture", &Material::clearcoatTexture, false},
-      {"/extensions/KHR_materials_clearcoat/clearcoatRoughnessTexture", &Material::clearcoatRoughnessTexture,
-       false}};
+      {"/extensions/KHR_materials_clearcoat/clearcoatRoughnessTexture", &Material::clearcoatRoughnessTexture, false}};
   for (const Slot& slot : slots) {
     GltfBuilder builder = GltfBuilder::emissiveTriangle();
     builder.primitive()["attributes"]["TEXCOORD_0"] =

@@ -112,15 +112,14 @@ TEST(Mesh, DegenerateNormalsAndTangentsAreNone) {
 TEST(Mesh, BothUvSetsAndColoursArrive) {
   GltfBuilder builder = GltfBuilder::emissiveTriangle();
   Json& attributes = builder.primitive()["attributes"];
-  attributes["TEXCOORD_0"] =
-      builder.addAccessor(std::vector<glm::vec2>{{0, 0}, {1, 0}, {0, 1}}, kFloat, "VEC2");
-  const int second = builder.addAccessor(std::vector<glm::u8vec4>{{0, 255, 0, 0}, {51, 0, 0, 0}, {0, 0, 0, 0}},
-                                         kUnsignedByte, "VEC2");
+  attributes["TEXCOORD_0"] = builder.addAccessor(std::vector<glm::vec2>{{0, 0}, {1, 0}, {0, 1}}, kFloat, "VEC2");
+  const int second =
+      builder.addAccessor(std::vector<glm::u8vec4>{{0, 255, 0, 0}, {51, 0, 0, 0}, {0, 0, 0, 0}}, kUnsignedByte, "VEC2");
   builder.json["accessors"][second]["normalized"] = true;
   builder.json["bufferViews"][builder.json["accessors"][second]["bufferView"].get<int>()]["byteStride"] = 4;
   builder.primitive()["attributes"]["TEXCOORD_1"] = second;
-  builder.primitive()["attributes"]["COLOR_0"] = builder.addAccessor(
-      std::vector<glm::vec4>{{0.5f, 0.25f, 0, 1}, {1, 1, 1, 0.5f}, {0, 0, 0, 0}}, kFloat, "VEC4");
+  builder.primitive()["attributes"]["COLOR_0"] =
+      builder.addAccessor(std::vector<glm::vec4>{{0.5f, 0.25f, 0, 1}, {1, 1, 1, 0.5f}, {0, 0, 0, 0}}, kFloat, "VEC4");
   const Scene scene = load(builder);
   EXPECT_EQ(scene.vertices[1].uv0, vec2(1, 0));
   EXPECT_EQ(scene.vertices[0].uv1, vec2(0, 1));

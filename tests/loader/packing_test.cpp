@@ -55,8 +55,7 @@ TEST(Packing, TheDirectionWhoseBitsMeanNoneIsMovedAside) {
   EXPECT_LT(angleBetween(glm::dvec3(normal), unpackNormal(packNormal(glm::dvec3(normal)))), 7.5e-5);
   const vec3 tangent = directionFromOctahedron(vec2(-1.0f / 32767.0f, -1.0f / 16383.0f));
   EXPECT_NE(packTangent(glm::dvec3(tangent), true), kNone);
-  EXPECT_LT(angleBetween(glm::dvec3(tangent), vec3(unpackTangent(packTangent(glm::dvec3(tangent), true)))),
-            1.5e-4);
+  EXPECT_LT(angleBetween(glm::dvec3(tangent), vec3(unpackTangent(packTangent(glm::dvec3(tangent), true)))), 1.5e-4);
 }
 
 TEST(Packing, ColoursAreHalfFloats) {

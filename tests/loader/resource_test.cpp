@@ -111,7 +111,8 @@ TEST_F(ExternalFiles, LinksThatLeaveTheFolderAreRefused) {
 TEST_F(ExternalFiles, OutsideFilesAreReadWhereAllowed) {
   const TemporaryFolder elsewhere;
   writeFile(elsewhere / "data.bin", text(builder_.binary));
-  const std::string absolute = elsewhere / "data.bin", relative = "../" + elsewhere.path().filename().string() + "/data.bin";
+  const std::string absolute = elsewhere / "data.bin",
+                    relative = "../" + elsewhere.path().filename().string() + "/data.bin";
   for (const std::string& uri : {absolute, relative}) {
     setBuffer(uri);
     EXPECT_NE(error().find("--allow-outside-files"), std::string::npos) << uri;
@@ -171,12 +172,10 @@ TEST(DataUri, OfABufferMustFitItsLength) {
 }
 
 TEST(DataUri, MustBeBase64OfAKnownType) {
-  EXPECT_NE(
-      bufferError({{"byteLength", 36}, {"uri", "data:application/octet-stream;base64,QU*D"}}).find("malformed"),
-      std::string::npos);
-  EXPECT_NE(
-      bufferError({{"byteLength", 36}, {"uri", "data:application/octet-stream,abc"}}).find("known media type"),
-      std::string::npos);
+  EXPECT_NE(bufferError({{"byteLength", 36}, {"uri", "data:application/octet-stream;base64,QU*D"}}).find("malformed"),
+            std::string::npos);
+  EXPECT_NE(bufferError({{"byteLength", 36}, {"uri", "data:application/octet-stream,abc"}}).find("known media type"),
+            std::string::npos);
   EXPECT_NE(bufferError({{"byteLength", 36}, {"uri", "data:text/html;base64,QUJD"}}).find("known media type"),
             std::string::npos);
 }

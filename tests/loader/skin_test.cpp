@@ -16,10 +16,10 @@ GltfBuilder skinned() {
   Json& node = builder.json["nodes"][0];
   node["skin"] = 0;
   node["translation"] = {100, 100, 100};  // not used: the joints place the mesh
-  builder.primitive()["attributes"]["JOINTS_0"] = builder.addAccessor(
-      std::vector<glm::u8vec4>{{0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}}, kUnsignedByte, "VEC4");
-  builder.primitive()["attributes"]["WEIGHTS_0"] = builder.addAccessor(
-      std::vector<glm::vec4>{{1, 0, 0, 0}, {2, 0, 0, 0}, {0.5f, 0.5f, 0, 0}}, kFloat, "VEC4");
+  builder.primitive()["attributes"]["JOINTS_0"] =
+      builder.addAccessor(std::vector<glm::u8vec4>{{0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}}, kUnsignedByte, "VEC4");
+  builder.primitive()["attributes"]["WEIGHTS_0"] =
+      builder.addAccessor(std::vector<glm::vec4>{{1, 0, 0, 0}, {2, 0, 0, 0}, {0.5f, 0.5f, 0, 0}}, kFloat, "VEC4");
   return builder;
 }
 
@@ -57,8 +57,7 @@ TEST(Skin, MirroringJointsKeepTheFrontOnItsSide) {
 TEST(Skin, RefusesWhatDoesNotFit) {
   GltfBuilder outside = skinned();
   outside.json["scenes"][0]["nodes"] = {0, 1};
-  EXPECT_NE(errorOf(outside).find("the joint is not in the scene (test.glb#/skins/0/joints/1)"),
-            std::string::npos);
+  EXPECT_NE(errorOf(outside).find("the joint is not in the scene (test.glb#/skins/0/joints/1)"), std::string::npos);
   GltfBuilder joint = skinned();
   joint.json["skins"][0]["joints"] = {1};
   EXPECT_NE(errorOf(joint).find("joint 1 of a vertex is not among the 1"), std::string::npos);

@@ -47,8 +47,7 @@ TEST(Texture, FollowsItsSampler) {
   EXPECT_EQ(texture.wrapT, kWrapMirror);
   EXPECT_EQ(texture.isNearest, 1u);
   EXPECT_EQ(load(textured(Json::object(), {{"minFilter", 9728}})).textures[0].isNearest, 1u);
-  EXPECT_EQ(load(textured(Json::object(), {{"magFilter", 9729}, {"minFilter", 9728}})).textures[0].isNearest,
-            0u);
+  EXPECT_EQ(load(textured(Json::object(), {{"magFilter", 9729}, {"minFilter", 9728}})).textures[0].isNearest, 0u);
 }
 
 TEST(Texture, RefusesAnUnknownWrappingMode) {
@@ -81,8 +80,7 @@ TEST(TextureTransform, ScalesThenTurnsThenMoves) {
   const Texture moved = transformed({{"offset", {0.25, 0.5}}, {"scale", {2, 3}}});
   EXPECT_EQ(transformUv(moved, {1, 1}), vec2(2.25f, 3.5f));
   // The lower left quarter, turned clockwise: the example of KHR_texture_transform.
-  const Texture turned =
-      transformed({{"offset", {0, 1}}, {"rotation", 1.57079632679489661}, {"scale", {0.5, 0.5}}});
+  const Texture turned = transformed({{"offset", {0, 1}}, {"rotation", 1.57079632679489661}, {"scale", {0.5, 0.5}}});
   const auto near = [&](const vec2& uv, const vec2& expected) {
     EXPECT_LT(glm::length(transformUv(turned, uv) - expected), 1e-6f);
   };

@@ -160,8 +160,10 @@ class BsdfTest : public test::GpuTest {
     test::SphereHistogram cells(axis, c.sharp ? static_cast<double>(c.material.alpha) : 1.0, 20, 20);
     double deltas = 0;
     for (const Answer& a : sampleFreely(c.material, wo, kSamples)) {
-      if (a.isDelta != 0) ++deltas;
-      else if (a.sampledPdf > 0) cells.add(a.sampled);
+      if (a.isDelta != 0)
+        ++deltas;
+      else if (a.sampledPdf > 0)
+        cells.add(a.sampled);
     }
     std::vector<Query> queries;
     for (const vec3& wi : cells.quadrature()) {
@@ -234,8 +236,9 @@ std::vector<Case> whiteCases(float roughness, float ior) {
   front.isSolid = 1;
   Query back = front;
   back.isFront = 0;
-  return {{"metal", metal}, {"base under interface", coat}, {"half metallic", half}, {"sheet", sheet},
-          {"half transmitting", mixed}, {"solid from outside", front}, {"solid from inside", back}};
+  return {{"metal", metal},           {"base under interface", coat}, {"half metallic", half},
+          {"sheet", sheet},           {"half transmitting", mixed},   {"solid from outside", front},
+          {"solid from inside", back}};
 }
 
 /// What interpolation in the tables of directional albedo may be off by: of light from outside, and of light from
@@ -289,7 +292,8 @@ TEST_F(BsdfTest, CoatedWhiteSurfacesKeepTheirLight) {
         white.baseColor = vec3(1);
         for (const float cosine : {1.0f, 0.7f, 0.4f, 0.1f})
           EXPECT_TRUE(liesWithin(furnace(white, cosine), 1 - kCoatTable, 1 + kCoatTable))
-              << "coat " << coatRoughness << " over " << roughness << ", metallic " << metallic << ", cosine " << cosine;
+              << "coat " << coatRoughness << " over " << roughness << ", metallic " << metallic << ", cosine "
+              << cosine;
       }
     }
   }
@@ -373,7 +377,8 @@ TEST_F(BsdfTest, ReflectionIsReciprocal) {
       const vec3& normal = c.material.coatNormal;
       const bool isBounded = std::min(glm::dot(there[i].wo, normal), glm::dot(there[i].wi, normal)) < 0.3f;
       if (normal.z < 1.0f && isBounded) continue;
-      const double f = static_cast<double>(a[i].value.x / there[i].wi.z), g = static_cast<double>(b[i].value.x / there[i].wo.z);
+      const double f = static_cast<double>(a[i].value.x / there[i].wi.z),
+                   g = static_cast<double>(b[i].value.x / there[i].wo.z);
       ASSERT_NEAR(f, g, 1e-4 * std::max(f, g)) << c.name;
     }
   }

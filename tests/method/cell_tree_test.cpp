@@ -123,7 +123,8 @@ class CellSmoothing : public test::GpuTest {
     recorder.dispatch(finish, table, 2 * count, CellSmoothPush{count});
     recorder.submitAndWait();
     std::vector<double> irradiance;
-    for (const vec4& v : out.download<vec4>(2 * count)) irradiance.push_back(static_cast<double>(v.x) * std::sqrt(3.0) / 4);
+    for (const vec4& v : out.download<vec4>(2 * count))
+      irradiance.push_back(static_cast<double>(v.x) * std::sqrt(3.0) / 4);
     std::vector<double> front;
     for (uint i = 0; i < count; ++i) {
       EXPECT_EQ(irradiance[2 * i], 0);  // no photon came from behind
@@ -157,8 +158,8 @@ TEST_F(CellSmoothing, KeepsFluxAndWhatDiffersByFarMoreThanNoise) {
   EXPECT_NEAR(after / before, 1, 1e-5);
 }
 
-/// James and Stein's estimate has less squared error than the cells themselves, whatever the light: much less where it is
-/// even. Tests at a significance of 1e-3 over independent tries.
+/// James and Stein's estimate has less squared error than the cells themselves, whatever the light: much less where it
+/// is even. Tests at a significance of 1e-3 over independent tries.
 TEST_F(CellSmoothing, HasLessErrorThanCellsAlone) {
   const SurfaceCells cells = gridsOf({8}, 1);
   std::mt19937 random(5);
@@ -181,8 +182,10 @@ TEST_F(CellSmoothing, HasLessErrorThanCellsAlone) {
       gain.add((alone - shared) / alone);
     }
     const double error = std::sqrt(gain.variance() / 40);
-    if (unevenness < 1) EXPECT_GT(gain.mean() - 3.3 * error, unevenness == 0 ? 0.5 : 0.1);
-    else EXPECT_GT(gain.mean() + 3.3 * error, -0.01);
+    if (unevenness < 1)
+      EXPECT_GT(gain.mean() - 3.3 * error, unevenness == 0 ? 0.5 : 0.1);
+    else
+      EXPECT_GT(gain.mean() + 3.3 * error, -0.01);
   }
 }
 

@@ -14,10 +14,10 @@ namespace {
 using glm::dvec3;
 using test::SceneBuilder;
 
-constexpr double kAsked = 600;        // photons/m²; 4,000 and more arrive everywhere
+constexpr double kAsked = 600;          // photons/m²; 4,000 and more arrive everywhere
 constexpr double kSignificance = 1e-4;  // of each comparison with Poisson's counts, one-sided
-constexpr int kSquares = 8;           // along each side of the plane's inner part
-constexpr double kInner = 1.6;        // its side, m
+constexpr int kSquares = 8;             // along each side of the plane's inner part
+constexpr double kInner = 1.6;          // its side, m
 
 /// A plane of 2 x 2 m in the light of a lamp 0.7 m above its middle.
 struct LitPlane {

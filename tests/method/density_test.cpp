@@ -8,8 +8,8 @@
 #include "method/map_rig.h"
 #include "method/render_scene.h"
 #include "support/gpu_test.h"
-#include "support/stability.h"
 #include "support/scene_builder.h"
+#include "support/stability.h"
 
 namespace importon {
 namespace {
@@ -102,9 +102,9 @@ TEST_F(DensityControlTest, ByQuotaStoresTheRequiredDensityInBatchesOfAnySize) {
 
 /// Of `hits` up to `end` those nearer than `radius` to `position`.
 uint countWithin(const std::vector<vec3>& hits, std::size_t end, const vec3& position, float radius) {
-  return static_cast<uint>(std::count_if(hits.begin(), hits.begin() + static_cast<std::ptrdiff_t>(end), [&](const vec3& hit) {
-    return glm::dot(hit - position, hit - position) < radius * radius;
-  }));
+  return static_cast<uint>(
+      std::count_if(hits.begin(), hits.begin() + static_cast<std::ptrdiff_t>(end),
+                    [&](const vec3& hit) { return glm::dot(hit - position, hit - position) < radius * radius; }));
 }
 
 // Against a search through all hits of one batch, in their order. A hit without a receiver is stored after all, but a
@@ -129,9 +129,10 @@ TEST_F(DensityControlTest, ByQuotaStoresHitsBeforeWhichFewerThanTheQuotaFellNear
     ASSERT_GE(stored.size(), accepted.size()) << "quota " << quota;
     const auto rest = stored.begin() + static_cast<std::ptrdiff_t>(accepted.size());
     EXPECT_TRUE(std::equal(accepted.begin(), accepted.end(), stored.begin())) << "quota " << quota;
-    EXPECT_TRUE(std::none_of(rest, stored.end(), [&](const vec3& position) {
-      return countWithin(accepted, accepted.size(), position, 0.49f * radius) > 0;
-    })) << "quota " << quota;
+    EXPECT_TRUE(std::none_of(
+        rest, stored.end(),
+        [&](const vec3& position) { return countWithin(accepted, accepted.size(), position, 0.49f * radius) > 0; }))
+        << "quota " << quota;
   }
 }
 
@@ -219,7 +220,8 @@ TEST_F(DensityControlTest, OfAnImmenseDensityGivesTheUncontrolledImageBitForBit)
   const RenderResult uncontrolled = test::renderScene(room, job);
   ASSERT_EQ(controlled.stats.global.redistributed, 0u);
   EXPECT_GT(test::meanOf(uncontrolled), 0);
-  for (const char* name : {"R", "G", "B"}) EXPECT_EQ(test::channel(controlled, name), test::channel(uncontrolled, name));
+  for (const char* name : {"R", "G", "B"})
+    EXPECT_EQ(test::channel(controlled, name), test::channel(uncontrolled, name));
   listed.note("the same bits", 1);
 }
 

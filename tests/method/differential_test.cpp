@@ -22,7 +22,8 @@ using test::SceneBuilder;
 
 /// Runs a test kernel that reads items from binding 100 and writes as many results to 101, with the scene bound.
 template <class Result, class Item>
-std::vector<Result> runOnScene(gpu::Context& context, const Scene& scene, const char* module, const std::vector<Item>& items) {
+std::vector<Result> runOnScene(gpu::Context& context, const Scene& scene, const char* module,
+                               const std::vector<Item>& items) {
   const DeviceScene deviceScene = uploadScene(context, scene, buildBvh(scene.positions, scene.triangles));
   const gpu::Kernel kernel(context, module, test_kernels::spirv(module));
   const gpu::Buffer input = gpu::makeBuffer(context, "items", std::span<const Item>(items));
@@ -66,7 +67,8 @@ class Differential : public test::GpuTest {
   void start(const std::vector<double>& angles) {
     paths_.clear();
     for (const double angle : angles)
-      paths_.push_back({dvec3(0), {std::sin(angle), 0, std::cos(angle)},
+      paths_.push_back({dvec3(0),
+                        {std::sin(angle), 0, std::cos(angle)},
                         {vec3(0), {std::cos(angle), 0, -std::sin(angle)}, 0},
                         {vec3(0), {0, 1, 0}, 0}});
   }
@@ -96,7 +98,8 @@ class Differential : public test::GpuTest {
       const double tolerance = 2e-5 * (std::abs(slope) + std::abs(rho / std::sin(angles[i])));
       EXPECT_NEAR(paths_[i].origin.x, rho, 1e-9) << "the host's own path at angle " << angles[i];
       EXPECT_NEAR(static_cast<double>(paths_[i].x.position.x), slope, tolerance) << "angle " << angles[i];
-      EXPECT_NEAR(static_cast<double>(paths_[i].y.position.y), rho / std::sin(angles[i]), tolerance) << "angle " << angles[i];
+      EXPECT_NEAR(static_cast<double>(paths_[i].y.position.y), rho / std::sin(angles[i]), tolerance)
+          << "angle " << angles[i];
     }
   }
 
@@ -164,10 +167,12 @@ TEST_F(Differential, AfterASphericalMirrorFollowsItsCurvature) {
   // With i the angle of incidence, the hit lies at i - a from the axis as seen from the centre, and the ray goes back
   // at 2i - a from it.
   expectFootprints(kAngles, [](double a) {
-    const double i = std::asin(kCentre * std::sin(a) / kRadius), iSlope = kCentre * std::cos(a) / (kRadius * std::cos(i));
+    const double i = std::asin(kCentre * std::sin(a) / kRadius),
+                 iSlope = kCentre * std::cos(a) / (kRadius * std::cos(i));
     const double height = kCentre - kRadius * std::cos(i - a) + kBack, back = 2 * i - a;
     return std::pair(kRadius * std::sin(i - a) + height * std::tan(back),
-                     kRadius * std::cos(i - a) * (iSlope - 1) + kRadius * std::sin(i - a) * (iSlope - 1) * std::tan(back) +
+                     kRadius * std::cos(i - a) * (iSlope - 1) +
+                         kRadius * std::sin(i - a) * (iSlope - 1) * std::tan(back) +
                          height / square(std::cos(back)) * (2 * iSlope - 1));
   });
 }
@@ -199,7 +204,8 @@ TEST_F(Differential, AfterAGlassBallIsThatOfTheLens) {
   // With r the angle inside, the ray leaves the ball at 2r - i + a from the axis as seen from the centre, and turns by
   // 2(i - r) towards the axis.
   expectFootprints(kAngles, [](double a) {
-    const double i = std::asin(kCentre * std::sin(a) / kRadius), iSlope = kCentre * std::cos(a) / (kRadius * std::cos(i));
+    const double i = std::asin(kCentre * std::sin(a) / kRadius),
+                 iSlope = kCentre * std::cos(a) / (kRadius * std::cos(i));
     const double r = std::asin(std::sin(i) / kIndex), rSlope = std::cos(i) / (kIndex * std::cos(r)) * iSlope;
     const double leave = 2 * r - i + a, leaveSlope = 2 * rSlope - iSlope + 1, out = a - 2 * i + 2 * r;
     const double height = kFar - kCentre - kRadius * std::cos(leave);
@@ -230,7 +236,8 @@ struct ChainResult {
 Scene ballInABox(const Material& definition) {
   SceneBuilder builder;
   builder.icosphere(builder.material(definition), {0, 0, 0}, 1, 3, test::Facing::outside, test::Shading::smooth);
-  builder.icosphere(builder.material(test::mirror()), {2.6, 0.3, 0.5}, 1.2, 3, test::Facing::outside, test::Shading::smooth);
+  builder.icosphere(builder.material(test::mirror()), {2.6, 0.3, 0.5}, 1.2, 3, test::Facing::outside,
+                    test::Shading::smooth);
   builder.box(builder.material(test::diffuse(vec3(0.5f))), {-5, -5, -5}, {5, 5, 5}, test::Facing::inside);
   builder.pointLight({0, 4, 0}, vec3(1));
   return builder.finish();
@@ -242,8 +249,12 @@ std::vector<ChainItem> chainItems(const Scene& scene, uint events, uint reflecti
   std::uniform_real_distribution<float> place(-0.26f, 0.26f);
   constexpr float kStep = 2e-4f;
   for (int i = 0; i < 256; ++i)
-    items.push_back({vec3(dvec3(0, 0, 3) - scene.worldFromRender), events, {place(random), place(random), -1}, reflections,
-                     {kStep, 0, 0}, {0, kStep, 0}});
+    items.push_back({vec3(dvec3(0, 0, 3) - scene.worldFromRender),
+                     events,
+                     {place(random), place(random), -1},
+                     reflections,
+                     {kStep, 0, 0},
+                     {0, kStep, 0}});
   return items;
 }
 
@@ -253,9 +264,11 @@ class DifferentialOnMeshes : public test::GpuTest {
   void expectFiniteDifferences(const Material& definition, uint events, uint reflections) const {
     const Scene scene = ballInABox(definition);
     int compared = 0;
-    for (const ChainResult& r : runOnScene<ChainResult>(context(), scene, "differential_chain", chainItems(scene, events, reflections))) {
+    for (const ChainResult& r :
+         runOnScene<ChainResult>(context(), scene, "differential_chain", chainItems(scene, events, reflections))) {
       const uint way = r.base.triangles;
-      if (way == 0 || r.lowX.triangles != way || r.highX.triangles != way || r.lowY.triangles != way || r.highY.triangles != way)
+      if (way == 0 || r.lowX.triangles != way || r.highX.triangles != way || r.lowY.triangles != way ||
+          r.highY.triangles != way)
         continue;
       ++compared;
       const vec3 x = 0.5f * (r.highX.position - r.lowX.position), y = 0.5f * (r.highY.position - r.lowY.position);
@@ -302,7 +315,8 @@ class SampledSpread : public test::GpuTest {};
 TEST_F(SampledSpread, CoversTheSolidAngleOfASample) {
   constexpr float kSamples = 64;
   for (const Material& definition : {test::diffuse(vec3(0.5f)), test::metal(vec3(0.9f), 0.6f)}) {
-    for (const SpreadResult& r : runOnScene<SpreadResult>(context(), triangleOf(definition), "sampled_spread", spreadItems(kSamples))) {
+    for (const SpreadResult& r :
+         runOnScene<SpreadResult>(context(), triangleOf(definition), "sampled_spread", spreadItems(kSamples))) {
       if (r.pdf <= 0 || std::max(glm::length(r.stepU), glm::length(r.stepV)) > 0.99f) continue;  // limited there
       const float across = std::abs(glm::dot(glm::cross(r.stepU, r.stepV), r.wi));
       ASSERT_NEAR(across * r.pdf * kSamples, 1.0f, 0.01f);
@@ -315,7 +329,8 @@ TEST_F(SampledSpread, CoversTheSolidAngleOfASample) {
 TEST_F(SampledSpread, OfLambertsLawIsTheDerivativeOfTheDiscsMap) {
   constexpr float kSamples = 16;
   const auto items = spreadItems(kSamples);
-  const auto results = runOnScene<SpreadResult>(context(), triangleOf(test::diffuse(vec3(0.5f))), "sampled_spread", items);
+  const auto results =
+      runOnScene<SpreadResult>(context(), triangleOf(test::diffuse(vec3(0.5f))), "sampled_spread", items);
   int compared = 0;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const vec2 p = 2.0f * items[i].u - 1.0f;

@@ -1,4 +1,5 @@
-// Lights are chosen with the probability that is stated: by photons, by power or as a guide has learned, and for points.
+// Lights are chosen with the probability that is stated: by photons, by power or as a guide has learned, and for
+// points.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -74,7 +75,8 @@ TEST_F(EmissionTest, AGuidesPhotonsHaveTheDensityThatTheirFluxStates) {
   for (const MapKind kind : {MapKind::caustic, MapKind::global}) {
     const EmissionGuide guide = rig.trainedGuide(scene_, kind, 32);
     const auto guided = rig.emit(kind, &guide), plain = rig.emit(kind);
-    const auto fluxGuided = fluxByOctant(guided, scene_.lights.size()), fluxPlain = fluxByOctant(plain, scene_.lights.size());
+    const auto fluxGuided = fluxByOctant(guided, scene_.lights.size()),
+               fluxPlain = fluxByOctant(plain, scene_.lights.size());
     const double significance = sidak(kSignificance, static_cast<std::int64_t>(2 * fluxPlain.size()));
     for (std::size_t i = 0; i < fluxPlain.size(); ++i) {
       const Moments &g = fluxGuided[i], &p = fluxPlain[i];
@@ -98,8 +100,10 @@ struct LightAnswer {
   float chosenProbability, probability, rest;
 };
 
-std::vector<LightAnswer> chooseLights(gpu::Context& context, const MapRig& rig, const std::vector<LightQuery>& queries) {
-  const gpu::Kernel kernel(context, "light choice", test_kernels::spirv("light_choice"), specializations(rig.features()));
+std::vector<LightAnswer> chooseLights(gpu::Context& context, const MapRig& rig,
+                                      const std::vector<LightQuery>& queries) {
+  const gpu::Kernel kernel(context, "light choice", test_kernels::spirv("light_choice"),
+                           specializations(rig.features()));
   const gpu::Buffer input = gpu::makeBuffer(context, "queries", std::span<const LightQuery>(queries));
   const gpu::Buffer output(context, "answers", queries.size() * sizeof(LightAnswer));
   gpu::BindingTable bindings = rig.bindings();
@@ -111,14 +115,15 @@ std::vector<LightAnswer> chooseLights(gpu::Context& context, const MapRig& rig, 
   return output.download<LightAnswer>(queries.size());
 }
 
-// Some of the lights are hidden from some of the places, as the photons have found. What the choice leaves of its random
-// number is uniform again.
+// Some of the lights are hidden from some of the places, as the photons have found. What the choice leaves of its
+// random number is uniform again.
 TEST_F(EmissionTest, LightsForAPointAreChosenWithTheStatedProbability) {
   MapRig rig(context(), scene_, job_);
   rig.findImportance();
   static_cast<void>(rig.shoot(MapKind::global, DensityControl::off, 0));  // shows which lights reach where
   constexpr std::size_t kSamples = 50'000, kBins = 10;
-  const std::vector<vec3> places{vec3(0.1f, -0.99f, 0.4f), vec3(-0.3f, -0.95f, 0.1f), vec3(0.2f, 0.97f, 0.1f), vec3(0.7f, 0.5f, -0.69f)};
+  const std::vector<vec3> places{vec3(0.1f, -0.99f, 0.4f), vec3(-0.3f, -0.95f, 0.1f), vec3(0.2f, 0.97f, 0.1f),
+                                 vec3(0.7f, 0.5f, -0.69f)};
   const double significance = sidak(kSignificance, static_cast<std::int64_t>(2 * places.size()));
   const std::size_t lights = scene_.lights.size();
   std::mt19937 random(4);

@@ -29,8 +29,7 @@ class EmittedPower : public test::GpuTest {
     test::MapRig rig(context(), scene, job);
     double power = 0, carried = 0;
     for (const Light& light : scene.lights) power += static_cast<double>(light.power);
-    for (const test::EmittedPhoton& photon : rig.emit(MapKind::global))
-      carried += static_cast<double>(photon.flux.y);
+    for (const test::EmittedPhoton& photon : rig.emit(MapKind::global)) carried += static_cast<double>(photon.flux.y);
     return carried / power;
   }
 };

@@ -88,7 +88,10 @@ TEST_F(Flux, PackingLosesNoMoreThanHalfAStepOfThirteenBits) {
   for (std::size_t i = 0; i < operands_.size(); ++i) {
     for (int c = 0; c < 3; ++c) {
       const double exact = operands_[i].flux[c], unpacked = results_[i].unpacked[c];
-      if (exact == 0) { ASSERT_EQ(unpacked, 0); continue; }
+      if (exact == 0) {
+        ASSERT_EQ(unpacked, 0);
+        continue;
+      }
       largest = std::max(largest, std::abs(unpacked / exact - 1));
     }
   }

@@ -27,7 +27,8 @@ class Fresnel : public test::GpuTest {
 };
 
 TEST_F(Fresnel, AtNormalIncidenceIsTheSquareOfTheIndexContrast) {
-  for (const double n : {1.33, 1.5, 2.4, 1 / 1.5}) EXPECT_NEAR(at(1, n).dielectric, std::pow((n - 1) / (n + 1), 2), 1e-6);
+  for (const double n : {1.33, 1.5, 2.4, 1 / 1.5})
+    EXPECT_NEAR(at(1, n).dielectric, std::pow((n - 1) / (n + 1), 2), 1e-6);
 }
 
 TEST_F(Fresnel, AtBrewstersAngleOnlyOnePolarisationReflects) {

@@ -118,8 +118,12 @@ class Grid : public test::ListTest {
       const double excess = std::max(glm::length(offset) / r - 1, across / r - 0.25);
       const double ratio = points[i].radius / s.radius;
       const bool isOfLikeRadius = ratio > 0.5001 && ratio < 1.9999;
-      if (excess < -kSlack && isOfLikeRadius) { ASSERT_TRUE(met.contains(i)) << "missed a point of ratio " << ratio; }
-      if (excess > kSlack) { ASSERT_FALSE(met.contains(i)) << "met a point outside"; }
+      if (excess < -kSlack && isOfLikeRadius) {
+        ASSERT_TRUE(met.contains(i)) << "missed a point of ratio " << ratio;
+      }
+      if (excess > kSlack) {
+        ASSERT_FALSE(met.contains(i)) << "met a point outside";
+      }
     }
   }
 
@@ -179,7 +183,8 @@ TEST_F(Grid, FindsAllPointsWithinRadiusOverSixOrdersOfMagnitudeOfDensity) {
 TEST_F(Grid, FindsAllPointsInDenseUniformPoints) {
   std::mt19937 random(3);
   std::vector<RadiusPoint> points;
-  for (int i = 0; i < 30'000; ++i) points.push_back({randomPosition(random, 1), randomRadius(random, 0.08, 0.3), vec3(0, 0, 1)});
+  for (int i = 0; i < 30'000; ++i)
+    points.push_back({randomPosition(random, 1), randomRadius(random, 0.08, 0.3), vec3(0, 0, 1)});
   EXPECT_GT(expectAsByBruteForce(points, searchesNear(points, 400, 4)), 5000u);
 }
 
@@ -238,7 +243,9 @@ TEST_F(SearchRadius, StaysWithinWhatTheGridSearchesForAnyDensity) {
     EXPECT_LE(radii[i].radius, extent * 0.2501f) << density;
     EXPECT_LE(radii[i].level, 20u);
     EXPECT_GE(radii[i].edge, 1.333f * radii[i].radius) << "cells of that level are too small";
-    if (radii[i].level < 20) { EXPECT_LE(radii[i].edge, 2.667f * radii[i].radius) << "a finer level would do"; }
+    if (radii[i].level < 20) {
+      EXPECT_LE(radii[i].edge, 2.667f * radii[i].radius) << "a finer level would do";
+    }
   }
   listed.note("within", 1);
 }
@@ -247,7 +254,8 @@ TEST_F(SearchRadius, HoldsThePhotonsAtTheDensity) {
   const std::vector<Wish> wishes{{32, 1000, 1}, {8, 1000, 1}, {8, 1e5f, 16}};
   const auto radii = test::runKernel<Radius>(context(), test_kernels::spirv("search_radius"), wishes);
   for (std::size_t i = 0; i < wishes.size(); ++i) {
-    const double held = M_PI * std::pow(static_cast<double>(radii[i].radius), 2) * static_cast<double>(wishes[i].density);
+    const double held =
+        M_PI * std::pow(static_cast<double>(radii[i].radius), 2) * static_cast<double>(wishes[i].density);
     EXPECT_NEAR(held / static_cast<double>(wishes[i].photons), 1, 1e-5);
   }
 }

@@ -26,8 +26,7 @@ RenderJob job(std::uint32_t photons, int maxDepth) {
 
 /// Photons that hold light of both colours, red and blue.
 int countMixed(const std::vector<vec3>& flux) {
-  return static_cast<int>(
-      std::count_if(flux.begin(), flux.end(), [](const vec3& f) { return f.x > 0 && f.z > 0; }));
+  return static_cast<int>(std::count_if(flux.begin(), flux.end(), [](const vec3& f) { return f.x > 0 && f.z > 0; }));
 }
 
 class HandedPower : public test::GpuTest {};
@@ -91,8 +90,7 @@ TEST_F(HandedPower, LeavesAtLeastTheFloorOfTheDensityWhereNoImportonIs) {
   const Scene scene = builder.finish();
   test::MapRig rig(context(), scene, job(1u << 16, 1));
   rig.parameters.globalMap.densityFloor = 1000;
-  const double stored =
-      static_cast<double>(rig.counts(rig.shoot(MapKind::global, DensityControl::density, 0)).stored);
+  const double stored = static_cast<double>(rig.counts(rig.shoot(MapKind::global, DensityControl::density, 0)).stored);
   EXPECT_GT(stored / (2 * 2), 0.8 * 1000);
   EXPECT_LT(stored / (2 * 2), 1.2 * 1000);
 }

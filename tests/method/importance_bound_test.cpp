@@ -45,8 +45,8 @@ class ImportanceBound : public test::GpuTest {
     test::MapRig rig(context(), scene, job);
     rig.findImportance();
     const test::ImportonsFound found = rig.importons(kind);
-    const std::vector<float> bounds =
-        (kind == MapKind::caustic ? rig.importance.caustic : rig.importance.global).bound.download<float>(found.points.size());
+    const std::vector<float> bounds = (kind == MapKind::caustic ? rig.importance.caustic : rig.importance.global)
+                                          .bound.download<float>(found.points.size());
     test::Moments ratios;
     for (std::size_t i = 0; i < found.points.size(); ++i)
       if (const double e = expected(dvec3(found.points[i].position) + scene.worldFromRender); e > 0)
@@ -72,7 +72,8 @@ double seenInTheMirror(const dvec3& p) {
 
 /// Neighbours over which the maximum goes differ by up to 2 % where the camera's field is 0.6 wide.
 TEST_F(ImportanceBound, OfPixelsIsOneFootprintInAMirrorTimesItsReflectance) {
-  const test::Moments r = ratios(mirrorScene(0.5f), boundJob(DifferentialBound::pixel), MapKind::caustic, seenInTheMirror);
+  const test::Moments r =
+      ratios(mirrorScene(0.5f), boundJob(DifferentialBound::pixel), MapKind::caustic, seenInTheMirror);
   ASSERT_GT(r.count(), 1'000);
   EXPECT_GT(r.mean(), 0.5);
   EXPECT_LT(r.mean(), 0.51);
@@ -82,14 +83,15 @@ TEST_F(ImportanceBound, OfPixelsIsOneFootprintInAMirrorTimesItsReflectance) {
 /// The sum is a density estimate of importons, by kernels as large as sixteen of them take: on average within 3 % of
 /// importance, of which its own noise, 25 % / sqrt(1000), allows four deviations.
 TEST_F(ImportanceBound, OfTheScreenIsImportance) {
-  const test::Moments r = ratios(mirrorScene(1), boundJob(DifferentialBound::screen), MapKind::caustic, seenInTheMirror);
+  const test::Moments r =
+      ratios(mirrorScene(1), boundJob(DifferentialBound::screen), MapKind::caustic, seenInTheMirror);
   ASSERT_GT(r.count(), 1'000);
   EXPECT_NEAR(r.mean(), 1, 0.03);
   EXPECT_LT(std::sqrt(r.variance()), 0.25);
 }
 
-/// The camera sees a small patch alone; the wall opposite is met by gather rays of it. Each of the n that a pixel has in
-/// a pass covers 1/(n p) sr, so a place at the distance d is asked for n · albedo · cosθ cosθ' / (π d²) pixels/m².
+/// The camera sees a small patch alone; the wall opposite is met by gather rays of it. Each of the n that a pixel has
+/// in a pass covers 1/(n p) sr, so a place at the distance d is asked for n · albedo · cosθ cosθ' / (π d²) pixels/m².
 TEST_F(ImportanceBound, OfAGatherRayIsTheSolidAngleThatItCovers) {
   constexpr double kAlbedo = 0.6, kHeight = 1.5, kSamples = 16;
   SceneBuilder builder;

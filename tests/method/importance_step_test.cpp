@@ -22,10 +22,10 @@ struct Densities {
 constexpr Densities kSteep{6, 6e4f};    // quota radii of 25 cm, as far as the grid reaches, and of 6.5 mm
 constexpr Densities kGentle{200, 800};  // 11 cm and 5.6 cm: photons of the one are among those that the other looks at
 constexpr Densities kEven{6, 6};        // no step
-constexpr double kFloor = 0.49;    // half its side, m
-constexpr float kStep = 0.01f;     // x of the step: where importons' cells end, at all sizes
-constexpr double kGap = 0.03;      // from the step to the lit discs, m: out of reach for the right side's radii
-constexpr double kDisc = 0.09;     // radius of a lit disc, m
+constexpr double kFloor = 0.49;         // half its side, m
+constexpr float kStep = 0.01f;          // x of the step: where importons' cells end, at all sizes
+constexpr double kGap = 0.03;           // from the step to the lit discs, m: out of reach for the right side's radii
+constexpr double kDisc = 0.09;          // radius of a lit disc, m
 
 /// A floor lit red left of the step and blue right of it. Columns: into which the floor is cut.
 Scene floorWithStep(int columns) {
@@ -169,10 +169,10 @@ Scene corner() {
 }
 
 struct GreenPhotons {
-  double reach = 0;                // the farthest from the beam, m
+  double reach = 0;  // the farthest from the beam, m
   int photons = 0;
   int onWall = 0, onLedge = 0;
-  bool areOthersNear = false;      // photons of the wall and of the ledge within reach
+  bool areOthersNear = false;  // photons of the wall and of the ledge within reach
 };
 
 GreenPhotons greenOf(test::MapRig& rig, const StorageRule& rule, double radius) {

@@ -86,8 +86,9 @@ TEST_F(Importance, OfAPlaneSeenDirectlyIsThePixelsPerSquareMetre) {
   builder.quad(builder.material(test::diffuse(vec3(0.7f))), {-4, 0, 4}, {8, 0, 0}, {0, 0, -8});
   builder.directionalLight({0, -1, 0}, vec3(1));
   addCamera(builder, view);
-  expectUnbiased(ratios(builder.finish(), view, 1u << 16, 1,
-                        [&](const dvec3& p) { return seenDirectly(view, p, {0, 1, 0}); }));
+  expectUnbiased(ratios(builder.finish(), view, 1u << 16, 1, [&](const dvec3& p) {
+    return seenDirectly(view, p, {0, 1, 0});
+  }));
 }
 
 TEST_F(Importance, OfAPlaneSeenAtAGrazingAngleFollowsTheFootprint) {
@@ -96,8 +97,9 @@ TEST_F(Importance, OfAPlaneSeenAtAGrazingAngleFollowsTheFootprint) {
   builder.quad(builder.material(test::diffuse(vec3(0.7f))), {-40, 0, 40}, {80, 0, 0}, {0, 0, -80});
   builder.directionalLight({0, -1, 0}, vec3(1));
   addCamera(builder, view);
-  expectUnbiased(ratios(builder.finish(), view, 1u << 16, 1,
-                        [&](const dvec3& p) { return seenDirectly(view, p, {0, 1, 0}); }));
+  expectUnbiased(ratios(builder.finish(), view, 1u << 16, 1, [&](const dvec3& p) {
+    return seenDirectly(view, p, {0, 1, 0});
+  }));
 }
 
 /// The camera looks into a mirror at z = -2 that shows the wall at z = 3 behind the camera.

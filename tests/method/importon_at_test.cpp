@@ -37,9 +37,8 @@ class ImportonAt : public test::GpuTest {
 };
 
 TEST_F(ImportonAt, IsTheNearestOfTheFinestCellWithALikeNormal) {
-  const auto answers = ask({{vec3(0.312f, 0.30f, 0.30f), kUp},
-                            {vec3(0.29f, 0.30f, 0.30f), kUp},
-                            {vec3(0.30f, 0.30f, 0.30f), kAside}});
+  const auto answers =
+      ask({{vec3(0.312f, 0.30f, 0.30f), kUp}, {vec3(0.29f, 0.30f, 0.30f), kUp}, {vec3(0.30f, 0.30f, 0.30f), kAside}});
   EXPECT_EQ(answers[0].nearest, 1u);
   EXPECT_EQ(answers[0].first, 0u) << "the one that speaks for the whole cell";
   EXPECT_EQ(answers[1].nearest, 0u);
@@ -58,9 +57,8 @@ TEST_F(ImportonAt, IsNoneOfAnotherWallOrOfACellFarAway) {
 
 // The importon of level 5 is 0.08 away: beyond its cell's edge, though not beyond that of level 3.
 TEST_F(ImportonAt, ReachesAsFarAsTheEdgeOfItsOwnLevel) {
-  const auto answers = ask({{vec3(0.40f, 0.30f, 0.30f), kAside},
-                            {vec3(0.34f, 0.30f, 0.30f), kAside},
-                            {vec3(0.40f, 0.30f, 0.30f), kUp}});
+  const auto answers =
+      ask({{vec3(0.40f, 0.30f, 0.30f), kAside}, {vec3(0.34f, 0.30f, 0.30f), kAside}, {vec3(0.40f, 0.30f, 0.30f), kUp}});
   EXPECT_EQ(answers[0].nearest, kNone);
   EXPECT_EQ(answers[1].nearest, 2u);
   EXPECT_EQ(answers[2].nearest, 1u);

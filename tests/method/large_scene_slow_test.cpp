@@ -48,7 +48,8 @@ std::vector<double> averagedTo(const RenderResult& result, int width, int height
   const int step = result.image.width / width;
   std::vector<double> means(static_cast<std::size_t>(width * height));
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::size_t x = i % static_cast<std::size_t>(result.image.width), y = i / static_cast<std::size_t>(result.image.width);
+    const std::size_t x = i % static_cast<std::size_t>(result.image.width),
+                      y = i / static_cast<std::size_t>(result.image.width);
     means[y / static_cast<std::size_t>(step) * static_cast<std::size_t>(width) + x / static_cast<std::size_t>(step)] +=
         static_cast<double>(values[i]) / (step * step);
   }
@@ -87,7 +88,8 @@ TEST_F(LargeScene, OfTenMillionTrianglesRenders) {
   const double p = equality(image(scene, 1), image(finelyCutBox(1, 32, 24), 2));
   EXPECT_GT(p, kSignificance);
   listed.note("tree in " + std::to_string(static_cast<int>(result.stats.seconds.bvh)) + " s, " +
-                  std::to_string(result.stats.devicePeakBytes >> 20) + " MiB on the device, " + std::to_string(peakHostMiB()) + " MiB in all",
+                  std::to_string(result.stats.devicePeakBytes >> 20) + " MiB on the device, " +
+                  std::to_string(peakHostMiB()) + " MiB in all",
               1 - std::log(p) / std::log(kSignificance));
 }
 
@@ -103,7 +105,8 @@ TEST_F(LargeScene, ImageOf4096By4096PixelsRenders) {
   const RenderResult small = test::renderScene(finelyCutBox(1, 64, 64), job);
   const double p = equality(averagedTo(large, 64, 64), averagedTo(small, 64, 64));
   EXPECT_GT(p, kSignificance);
-  listed.note(std::to_string(large.stats.devicePeakBytes >> 20) + " MiB on the device, " + std::to_string(peakHostMiB()) + " MiB in all",
+  listed.note(std::to_string(large.stats.devicePeakBytes >> 20) + " MiB on the device, " +
+                  std::to_string(peakHostMiB()) + " MiB in all",
               1 - std::log(p) / std::log(kSignificance));
 }
 

@@ -61,9 +61,8 @@ class LightTree : public test::GpuTest {
     bindings.set(1, output);
     bindings.set(2, tree);
     gpu::Recorder recorder(context());
-    recorder.dispatch(
-        kernel, bindings, queries.size(),
-        Push{static_cast<std::uint32_t>(queries.size()), static_cast<std::uint32_t>(lights.size())});
+    recorder.dispatch(kernel, bindings, queries.size(),
+                      Push{static_cast<std::uint32_t>(queries.size()), static_cast<std::uint32_t>(lights.size())});
     recorder.submitAndWait();
     return output.download<Answer>(queries.size());
   }
@@ -112,11 +111,9 @@ TEST_F(LightTree, LightsAreChosenWithTheStatedProbability) {
 }
 
 TEST_F(LightTree, NearLightsThatFaceThePointAreLikelier) {
-  std::vector<LightBounds> lights(3, LightBounds{.low = vec3(-1, 0, 0),
-                                                 .high = vec3(-0.9f, 0.1f, 0.1f),
-                                                 .axis = vec3(1, 0, 0),
-                                                 .cosCone = 1,
-                                                 .power = 1});
+  std::vector<LightBounds> lights(
+      3, LightBounds{
+             .low = vec3(-1, 0, 0), .high = vec3(-0.9f, 0.1f, 0.1f), .axis = vec3(1, 0, 0), .cosCone = 1, .power = 1});
   lights[1].axis = -lights[1].axis;  // turned away
   lights[2].low -= vec3(5, 0, 0);    // far away
   lights[2].high -= vec3(5, 0, 0);

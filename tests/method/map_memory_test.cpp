@@ -61,7 +61,8 @@ class PhotonMapMemory : public test::GpuTest, public testing::WithParamInterface
   }
 
   void fill(PhotonMap& map) {
-    rig_->shootInto(map, MapKind::global, {GetParam().control, GetParam().receivers, expected_ ? &*expected_ : nullptr});
+    rig_->shootInto(map, MapKind::global,
+                    {GetParam().control, GetParam().receivers, expected_ ? &*expected_ : nullptr});
     if (GetParam().irradiance != IrradianceCache::off)
       rig_->estimateIrradiance(map, MapKind::global, GetParam().irradiance == IrradianceCache::photons);
   }
@@ -75,14 +76,16 @@ class PhotonMapMemory : public test::GpuTest, public testing::WithParamInterface
   std::optional<ExpectedDensity> expected_;
 };
 
-INSTANTIATE_TEST_SUITE_P(
-    Of, PhotonMapMemory,
-    testing::Values(Case{"AllHits", DensityControl::off}, Case{"Cells", DensityControl::density},
-                    Case{"Quota", DensityControl::density, 4}, Case{"Probability", DensityControl::probability},
-                    Case{"NearestLookups", DensityControl::density, 0, MapLookup::nearest},
-                    Case{"IrradianceAtPhotons", DensityControl::density, 0, MapLookup::radius, IrradianceCache::photons},
-                    Case{"IrradianceAtImportons", DensityControl::density, 0, MapLookup::radius, IrradianceCache::importons}),
-    [](const auto& of) { return of.param.name; });
+INSTANTIATE_TEST_SUITE_P(Of, PhotonMapMemory,
+                         testing::Values(Case{"AllHits", DensityControl::off}, Case{"Cells", DensityControl::density},
+                                         Case{"Quota", DensityControl::density, 4},
+                                         Case{"Probability", DensityControl::probability},
+                                         Case{"NearestLookups", DensityControl::density, 0, MapLookup::nearest},
+                                         Case{"IrradianceAtPhotons", DensityControl::density, 0, MapLookup::radius,
+                                              IrradianceCache::photons},
+                                         Case{"IrradianceAtImportons", DensityControl::density, 0, MapLookup::radius,
+                                              IrradianceCache::importons}),
+                         [](const auto& of) { return of.param.name; });
 
 TEST_P(PhotonMapMemory, CountsEveryBuffer) {
   {

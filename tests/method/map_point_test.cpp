@@ -46,7 +46,8 @@ std::vector<Plain> directions() {
         if (x != 0 || y != 0 || z != 0) unit.push_back(glm::normalize(vec3(x, y, z)));
   while (unit.size() < 100'000) unit.push_back(glm::normalize(vec3(normal(random), normal(random), normal(random))));
   std::vector<Plain> all;
-  for (std::size_t i = 0; i < unit.size(); ++i) all.push_back({unit[i], unit[unit.size() - 1 - i], static_cast<uint>(i % 21)});
+  for (std::size_t i = 0; i < unit.size(); ++i)
+    all.push_back({unit[i], unit[unit.size() - 1 - i], static_cast<uint>(i % 21)});
   return all;
 }
 

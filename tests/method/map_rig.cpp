@@ -24,7 +24,8 @@ MapRig::MapRig(gpu::Context& context, const Scene& scene, const RenderJob& job)
   recorder_.emplace(context);
   stage_.emplace(Stage{context, *recorder_, kernels_, *work_});
   const auto makeMap = [&](MapKind kind) {
-    return makeImportanceMap(context, kind, plan.importons * (std::uint64_t{parameters.maxDepth} + 1), plan.workspace.hasDifferentials);
+    return makeImportanceMap(context, kind, plan.importons * (std::uint64_t{parameters.maxDepth} + 1),
+                             plan.workspace.hasDifferentials);
   };
   importance = {makeMap(MapKind::caustic), makeMap(MapKind::global)};
 }
@@ -72,12 +73,14 @@ std::vector<EmittedPhoton> MapRig::emit(MapKind kind, const EmissionGuide* guide
   const uint plain = kind == MapKind::global ? kStreamGlobalPhotons : kStreamCausticPhotons;
   work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
   recorder_->dispatch(guide ? kernels_.photonEmitGuided : kernels_.photonEmit, table, plan.batch,
-                      PhotonEmitPush{0, plan.batch, guide ? guide->stream() : plain, guide ? guide->bins() : 0, kind == MapKind::global});
+                      PhotonEmitPush{0, plan.batch, guide ? guide->stream() : plain, guide ? guide->bins() : 0,
+                                     kind == MapKind::global});
   recorder_->submitAndWait();
   const auto rays = work_->rays.download<Ray>(plan.batch);
   const auto paths = work_->paths.download<PathState>(plan.batch);
   std::vector<EmittedPhoton> photons;
-  for (std::size_t i = 0; i < rays.size(); ++i) photons.push_back({rays[i].direction, paths[i].source, paths[i].throughput});
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    photons.push_back({rays[i].direction, paths[i].source, paths[i].throughput});
   return photons;
 }
 
@@ -107,7 +110,8 @@ void MapRig::shootInto(PhotonMap& map, MapKind kind, const StorageRule& rule) {
   recorder_->fill(work_->counters, 0);
   map.begin(*stage_);
   for (std::uint32_t first = 0; first < plan.whole.photonsFor(kind); first += plan.batch) {
-    tracePhotons(*stage_, {kind, nullptr}, first, std::min(plan.batch, plan.whole.photonsFor(kind) - first), parameters.maxDepth);
+    tracePhotons(*stage_, {kind, nullptr}, first, std::min(plan.batch, plan.whole.photonsFor(kind) - first),
+                 parameters.maxDepth);
     map.addBatch(*stage_, required, rule);
   }
   map.finish(*stage_, required, plan.nearestPhotons);
@@ -139,9 +143,7 @@ CellFlux MapRig::shootIntoCells(const SurfaceCells& cells) {
   return flux;
 }
 
-std::vector<MapPoint> MapRig::photons(const PhotonMap& map) const {
-  return map.readPoints(*stage_);
-}
+std::vector<MapPoint> MapRig::photons(const PhotonMap& map) const { return map.readPoints(*stage_); }
 
 std::vector<MapPoint> MapRig::photonsAsStored(const PhotonMap& map) const {
   const std::vector<MapPoint> inCells = photons(map);
@@ -158,7 +160,8 @@ namespace {
 /// Lib/flux.glsl's unpackFlux.
 vec3 unpackFlux(uvec2 p) {
   const uvec3 bits(p.x & 0x1FFFFFu, (p.x >> 21) | ((p.y & 0x3FFu) << 11), p.y >> 10);
-  return vec3(std::bit_cast<float>(bits.x << 10), std::bit_cast<float>(bits.y << 10), std::bit_cast<float>(bits.z << 10));
+  return vec3(std::bit_cast<float>(bits.x << 10), std::bit_cast<float>(bits.y << 10),
+              std::bit_cast<float>(bits.z << 10));
 }
 
 }  // namespace
@@ -167,7 +170,8 @@ std::vector<vec3> MapRig::flux(const PhotonMap& map) const {
   gpu::BindingTable table;
   map.bindFinished(table);
   std::vector<vec3> flux;
-  for (const uvec2 packed : table.get(kBindingMapFlux)->download<uvec2>(counts(map).stored)) flux.push_back(unpackFlux(packed));
+  for (const uvec2 packed : table.get(kBindingMapFlux)->download<uvec2>(counts(map).stored))
+    flux.push_back(unpackFlux(packed));
   return flux;
 }
 

@@ -9,9 +9,9 @@
 #include "render/device_scene/device_scene.h"
 #include "render/guiding/emission_guide.h"
 #include "render/importance/importance.h"
-#include "render/plan/pass_plan.h"
 #include "render/photon_map/photon_map.h"
 #include "render/photons/photon_pass.h"
+#include "render/plan/pass_plan.h"
 #include "render/surface_cache/surface_cells.h"
 
 namespace importon::test {
@@ -52,7 +52,8 @@ class MapRig {
   void setImportance(const std::function<float(const vec3&)>& importance);
   [[nodiscard]] ImportonsFound importons(MapKind kind) const;
   /// Shoots the plan's photons into a map of `capacity` photons (0: the plan's).
-  [[nodiscard]] PhotonMap shoot(MapKind kind, const StorageRule& rule, std::uint64_t capacity = 0);  // finished for plan.nearestPhotons
+  [[nodiscard]] PhotonMap shoot(MapKind kind, const StorageRule& rule,
+                                std::uint64_t capacity = 0);  // finished for plan.nearestPhotons
   [[nodiscard]] PhotonMap shoot(MapKind kind, DensityControl control, uint receivers, std::uint64_t capacity = 0) {
     return shoot(kind, {control, receivers}, capacity);
   }
@@ -71,7 +72,9 @@ class MapRig {
   [[nodiscard]] std::vector<EmittedPhoton> emit(MapKind kind, const EmissionGuide* guide = nullptr);
   /// Counts the hits of the plan's photons, with random numbers of their own.
   [[nodiscard]] ExpectedDensity countPilot(MapKind kind);
-  [[nodiscard]] PhotonMapCounts counts(const PhotonMap& map) const { return map.readCounts(*stage_, parameters.fluxScale); }
+  [[nodiscard]] PhotonMapCounts counts(const PhotonMap& map) const {
+    return map.readCounts(*stage_, parameters.fluxScale);
+  }
   /// The photons of a finished map, render space.
   [[nodiscard]] std::vector<MapPoint> photons(const PhotonMap& map) const;
   /// In the order in which they were stored.

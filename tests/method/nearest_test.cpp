@@ -41,7 +41,8 @@ RenderJob nearestJob(std::uint32_t photons, int nearest) {
 class NearestPhotons : public test::GpuTest {};
 
 /// The talk's estimate by brute force: flux of the M-1 nearest over the disc of the M-th.
-double radianceAt(vec3 position, const std::vector<MapPoint>& photons, const std::vector<vec3>& flux, std::size_t nearest) {
+double radianceAt(vec3 position, const std::vector<MapPoint>& photons, const std::vector<vec3>& flux,
+                  std::size_t nearest) {
   std::vector<std::pair<float, float>> byDistance;
   for (std::size_t i = 0; i < photons.size(); ++i) {
     const vec3 offset = photons[i].position - position;

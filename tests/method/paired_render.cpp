@@ -68,11 +68,11 @@ void addPair(PairedFigures& figures, const RenderResult& found, const RenderResu
 }  // namespace
 
 std::string describe(const PairedFigures& f) {
-  return fmt::format("{:.0f} of {:.0f} stored (1/{:.2f}), bytes {:.3f} times, mean {:.5f} +- {:.5f} times, "
-                     "error {:.3g}, by the rule {:.4f} times, logarithm +- {:.4f}",
-                     f.stored.mean(), f.hits.mean(), f.timesFewer.mean(), f.bytesRatio.mean(), f.meanRatio.mean(),
-                     f.meanRatio.standardError(), f.error.mean(), std::exp(f.errorRatio.mean()),
-                     f.errorRatio.standardError());
+  return fmt::format(
+      "{:.0f} of {:.0f} stored (1/{:.2f}), bytes {:.3f} times, mean {:.5f} +- {:.5f} times, "
+      "error {:.3g}, by the rule {:.4f} times, logarithm +- {:.4f}",
+      f.stored.mean(), f.hits.mean(), f.timesFewer.mean(), f.bytesRatio.mean(), f.meanRatio.mean(),
+      f.meanRatio.standardError(), f.error.mean(), std::exp(f.errorRatio.mean()), f.errorRatio.standardError());
 }
 
 std::vector<PairedFigures> judgeAgainstClassicalMap(const Scene& scene, std::vector<RenderJob> jobs, int seeds,

@@ -62,15 +62,13 @@ class PixelFilters : public test::GpuTest {
 };
 
 TEST_F(PixelFilters, BoxIsThePixel) {
-  expectDensity(kFilterBox,
-                [](double x, double y) { return std::max(std::abs(x), std::abs(y)) < 0.5 ? 1.0 : 0.0; });
+  expectDensity(kFilterBox, [](double x, double y) { return std::max(std::abs(x), std::abs(y)) < 0.5 ? 1.0 : 0.0; });
 }
 
 TEST_F(PixelFilters, GaussianFallsAsItSays) { expectDensity(kFilterGaussian, gaussian); }
 
 TEST_F(PixelFilters, BlackmanHarrisFallsAsItSays) {
-  expectDensity(kFilterBlackmanHarris,
-                [](double x, double y) { return blackmanHarris(x) * blackmanHarris(y); });
+  expectDensity(kFilterBlackmanHarris, [](double x, double y) { return blackmanHarris(x) * blackmanHarris(y); });
 }
 
 }  // namespace

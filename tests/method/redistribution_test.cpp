@@ -1,13 +1,13 @@
-// Power handed over to stored photons: none is lost, however it is shared out. That none crosses a step of importance is
-// shown in importance_step_test.cpp.
+// Power handed over to stored photons: none is lost, however it is shared out. That none crosses a step of importance
+// is shown in importance_step_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "method/map_rig.h"
 #include "support/gpu_test.h"
-#include "support/stability.h"
 #include "support/scene_builder.h"
+#include "support/stability.h"
 
 namespace importon {
 namespace {
@@ -19,7 +19,8 @@ Scene room() {
   SceneBuilder builder;
   const uint white = builder.material(test::diffuse(vec3(0.75f)));
   builder.box(white, {-1, -1, -1}, {1, 1, 1}, test::Facing::inside);
-  builder.box(builder.material(test::diffuse(vec3(0.2f, 0.5f, 0.7f))), {-0.5, -1, -0.5}, {0.1, 0, 0.1}, test::Facing::outside);
+  builder.box(builder.material(test::diffuse(vec3(0.2f, 0.5f, 0.7f))), {-0.5, -1, -0.5}, {0.1, 0, 0.1},
+              test::Facing::outside);
   builder.square(builder.material(test::emitter(vec3(5, 3, 1))), {0.4, 0.99, 0}, {0, -1, 0}, 0.3);
   builder.pointLight({-0.7, 0.7, 0.3}, vec3(0.1f, 0.2f, 0.3f));
   builder.camera({0, 0, 0.9}, {0, 0, 0}, 1.0, 24, 24);
@@ -155,7 +156,9 @@ TEST_F(Redistribution, GivesTheSameMapInAnyBatches) {
     batched.photonBatch = batch;
     test::MapRig rig(context(), scene, batched);
     const PhotonMapCounts counts = rig.counts(rig.shoot(MapKind::global, DensityControl::density, 1));
-    if (batch != 1u << 12) { EXPECT_EQ(counts.fluxMap, flux); }
+    if (batch != 1u << 12) {
+      EXPECT_EQ(counts.fluxMap, flux);
+    }
     flux = counts.fluxMap;
   }
 }

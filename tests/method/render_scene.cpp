@@ -9,7 +9,8 @@ namespace importon::test {
 RenderResult renderScene(const Scene& scene, const RenderJob& job) {
   Log log(Log::Verbosity::quiet);
   const std::atomic<bool> isInterrupted = false;
-  return render(job, scene, log, isInterrupted, [](const RenderProgress&) {}, std::chrono::steady_clock::now());
+  return render(
+      job, scene, log, isInterrupted, [](const RenderProgress&) {}, std::chrono::steady_clock::now());
 }
 
 const std::vector<float>& channel(const RenderResult& result, const std::string& name) {

@@ -35,7 +35,9 @@ class Warps : public test::GpuTest {
     std::normal_distribution<float> normal;
     std::vector<Sample> samples;
     for (std::size_t i = 0; i < kSamples; ++i)
-      samples.push_back({warp, cosMax, {std::min(unit(random), 0.99999994f), std::min(unit(random), 0.99999994f)},
+      samples.push_back({warp,
+                         cosMax,
+                         {std::min(unit(random), 0.99999994f), std::min(unit(random), 0.99999994f)},
                          glm::normalize(vec3(normal(random), normal(random), normal(random)))});
     return test::runKernel<Warped>(context(), test_kernels::spirv("warps"), samples);
   }
@@ -44,7 +46,8 @@ class Warps : public test::GpuTest {
   template <class Unwarp>
   static void expectUniform(const std::vector<Warped>& points, Unwarp unwarp) {
     constexpr int kSide = 20;
-    std::vector<double> observed(kSide * kSide), expected(kSide * kSide, static_cast<double>(points.size()) / (kSide * kSide));
+    std::vector<double> observed(kSide * kSide),
+        expected(kSide * kSide, static_cast<double>(points.size()) / (kSide * kSide));
     for (const Warped& w : points) {
       const glm::dvec2 u = unwarp(glm::dvec3(w.point));
       const auto cell = [](double v) { return std::clamp(static_cast<int>(v * kSide), 0, kSide - 1); };
@@ -106,7 +109,8 @@ TEST_F(Warps, TriangleIsUniform) {
 
 TEST_F(Warps, FramesAreRightHandedAndOrthonormal) {
   std::vector<Sample> samples;
-  for (const vec3& axis : {vec3(0, 0, 1), vec3(0, 0, -1), vec3(1, 0, 0), vec3(0, -1, 0), glm::normalize(vec3(1e-4f, 0, -1))})
+  for (const vec3& axis :
+       {vec3(0, 0, 1), vec3(0, 0, -1), vec3(1, 0, 0), vec3(0, -1, 0), glm::normalize(vec3(1e-4f, 0, -1))})
     samples.push_back({kDisc, 0, vec2(0.5f), axis});
   auto frames = test::runKernel<Warped>(context(), test_kernels::spirv("warps"), samples);
   for (std::size_t i = 0; i < frames.size(); ++i) EXPECT_EQ(frames[i].frame[2], samples[i].axis);

@@ -92,7 +92,8 @@ TEST_F(Sequence, EachPointIsUniformOverStreams) {
   for (const uint index : {0u, 1u, 63u}) {
     for (const uint pair : {0u, 4u}) {
       const auto p = points(manyStreams(pair, index, 100'000));
-      EXPECT_GT(uniformity(coordinate(p, 0), coordinate(p, 1)), kSignificance) << "point " << index << ", pair " << pair;
+      EXPECT_GT(uniformity(coordinate(p, 0), coordinate(p, 1)), kSignificance)
+          << "point " << index << ", pair " << pair;
     }
   }
 }

@@ -1,4 +1,6 @@
 // Surface cells: they cover every surface once, with the area that they say, as densely as asked.
+#include "render/surface_cache/surface_cells.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,7 +8,6 @@
 #include <random>
 
 #include "render/importance/point_density.h"
-#include "render/surface_cache/surface_cells.h"
 #include "support/gpu_test.h"
 #include "support/scene_builder.h"
 #include "support/statistics.h"
@@ -48,8 +49,8 @@ TEST_F(SurfaceCellsTest, OfATriangleAreAllAlikeLarge) {
 TEST_F(SurfaceCellsTest, StayInTheTriangleAtItsCornersAndEdges) {
   std::vector<Query> queries;
   for (const uint n : {1u, 3u, 2047u})
-    for (const vec2 uv : {vec2(0, 0), vec2(1, 0), vec2(0, 1), vec2(0.5f, 0.5f), vec2(1.000001f, 0), vec2(0.3f, 0.7000001f),
-                          vec2(-1e-7f, 0.5f), vec2(NAN, 0)})
+    for (const vec2 uv : {vec2(0, 0), vec2(1, 0), vec2(0, 1), vec2(0.5f, 0.5f), vec2(1.000001f, 0),
+                          vec2(0.3f, 0.7000001f), vec2(-1e-7f, 0.5f), vec2(NAN, 0)})
       queries.push_back({uv, n});
   const auto cells = test::runKernel<uint>(context(), test_kernels::spirv("surface_cell"), queries);
   for (std::size_t i = 0; i < cells.size(); ++i) EXPECT_LT(cells[i], queries[i].n * queries[i].n) << i;
@@ -75,20 +76,23 @@ double areaOf(const Scene& scene, std::size_t i) {
 TEST(SurfaceCells, CoverEverySurfaceOnce) {
   const Scene scene = ballOverFloor();
   for (const double density : {1.0, 40.0, 1e4}) {
-    const SurfaceCells cells = cutSurfaces(scene, [&](vec3) { return density; }, 1u << 22, 0);
+    const SurfaceCells cells = cutSurfaces(
+        scene, [&](vec3) { return density; }, 1u << 22, 0);
     std::vector<double> covered(cells.areas.size());
     for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
       const auto [first, n] = std::pair(cells.triangles[i].x, cells.triangles[i].y);
       for (uint k = 0; k < n * n; ++k) covered[first + k] += areaOf(scene, i) / (n * n);
     }
-    for (std::size_t i = 0; i < covered.size(); ++i) EXPECT_NEAR(covered[i] / static_cast<double>(cells.areas[i]), 1, 1e-5);
+    for (std::size_t i = 0; i < covered.size(); ++i)
+      EXPECT_NEAR(covered[i] / static_cast<double>(cells.areas[i]), 1, 1e-5);
   }
 }
 
 TEST(SurfaceCells, AreAsDenseAsAskedAndSmallTrianglesShareOne) {
   const Scene scene = ballOverFloor();
   constexpr double kDensity = 100;
-  const SurfaceCells cells = cutSurfaces(scene, [](vec3) { return kDensity; }, 1u << 22, 0);
+  const SurfaceCells cells = cutSurfaces(
+      scene, [](vec3) { return kDensity; }, 1u << 22, 0);
   const double perFloorTriangle = 8 * kDensity;
   const double n = static_cast<double>(cells.triangles[0].y);
   EXPECT_GE(n * n, perFloorTriangle);
@@ -100,7 +104,8 @@ TEST(SurfaceCells, AreAsDenseAsAskedAndSmallTrianglesShareOne) {
 
 TEST(SurfaceCells, AreNoMoreThanThereIsRoomFor) {
   const Scene scene = ballOverFloor();
-  const SurfaceCells cells = cutSurfaces(scene, [](vec3) { return 1e6; }, 5000, 0);
+  const SurfaceCells cells = cutSurfaces(
+      scene, [](vec3) { return 1e6; }, 5000, 0);
   EXPECT_LE(cells.areas.size(), 5000u);
   EXPECT_GT(cells.areas.size(), 1000u);
 }

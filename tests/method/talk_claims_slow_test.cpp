@@ -1,6 +1,6 @@
 // The talk's claim in small, for a lit room: a seventh of the photons makes an image of the same mean. Where no filter
-// hides the map's own error, the image's is 1.17 times that of all photons (1.13 to 1.22, 99 %): not the 1.15 times that
-// is claimed. With surface cells it is less. Errors are against the path tracer.
+// hides the map's own error, the image's is 1.17 times that of all photons (1.13 to 1.22, 99 %): not the 1.15 times
+// that is claimed. With surface cells it is less. Errors are against the path tracer.
 #include <gtest/gtest.h>
 
 #include <cmath>

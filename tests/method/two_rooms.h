@@ -14,8 +14,10 @@ namespace importon::test {
   builder.box(white, {-2, -1, -1}, {2, 1, 1}, Facing::inside);
   builder.box(red, {-0.05, -1, -1}, {0.05, 1, 0.8}, Facing::outside);  // the wall, a slit of 20 cm beside it
   builder.square(builder.material(emitter(vec3(40, 36, 30))), {1, 0.98, 0}, {0, -1, 0}, 0.4);
-  if (isBehindTheDoor) builder.camera({-0.3, 0.2, -0.7}, {-1.5, -0.4, 0.6}, 1.0, 16, 12);
-  else builder.camera({0.4, 0, -0.6}, {1.6, -0.6, 0.6}, 1.0, 16, 12);
+  if (isBehindTheDoor)
+    builder.camera({-0.3, 0.2, -0.7}, {-1.5, -0.4, 0.6}, 1.0, 16, 12);
+  else
+    builder.camera({0.4, 0, -0.6}, {1.6, -0.6, 0.6}, 1.0, 16, 12);
   return builder.finish();
 }
 

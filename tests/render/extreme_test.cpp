@@ -74,7 +74,8 @@ TEST_F(Extreme, CameraOnASurfaceGivesAFiniteImage) {
     onFloor.camera({0, 0, 0}, {0, 1, 0.01}, 2.0, kSize, kSize);
     EXPECT_TRUE(isSane(renderScene(makeJob(integrator, 1), onFloor.finish()).image));
     SceneBuilder onGlass = litFloor();
-    onGlass.box(onGlass.material(glass(1.5f)), {-0.5, 1, 1.5}, {0.5, 2, 2}, Facing::outside);  // its front meets the camera
+    onGlass.box(onGlass.material(glass(1.5f)), {-0.5, 1, 1.5}, {0.5, 2, 2},
+                Facing::outside);  // its front meets the camera
     EXPECT_TRUE(isSane(renderScene(makeJob(integrator, 1), onGlass.finish()).image));
   }
 }

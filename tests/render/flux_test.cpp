@@ -55,8 +55,7 @@ RenderJob photonJob(int passes = 1) {
 
 /// Moments of the red power of all hits of the global map.
 Moments hitFluxOverSeeds(const RenderJob& job, const Scene& scene) {
-  return overSeeds(job, scene, 8, [](const Rendered& r) { return std::vector{r.stats.global.fluxHits[0]}; })
-      .front();
+  return overSeeds(job, scene, 8, [](const Rendered& r) { return std::vector{r.stats.global.fluxHits[0]}; }).front();
 }
 
 TEST_F(Flux, OfAllHitsInClosedRoomIsPowerOverAbsorption) {
@@ -68,7 +67,8 @@ TEST_F(Flux, OfTheMapIsThatOfItsHitsToTheLastBit) {
   StabilityCase listed(4, "power of the map against that of its hits", "equal, to the last bit");
   const Scene scene = litSphere();
   for (const DensityControl control : {DensityControl::off, DensityControl::density}) {
-    for (const std::optional<int> receivers : {std::optional<int>(), std::optional(1), std::optional(4), std::optional(20)}) {
+    for (const std::optional<int> receivers :
+         {std::optional<int>(), std::optional(1), std::optional(4), std::optional(20)}) {
       for (const std::uint32_t batch : {1u << 12, 1u << 16}) {
         RenderJob job = photonJob();
         job.control = control;

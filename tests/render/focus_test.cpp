@@ -42,8 +42,7 @@ TEST_F(Focus, OfEllipsoidMirrorKeepsPowerInOnePoint) {
   const StabilityCase listed(18, "ellipsoid mirror, light in a focus", "finite, power exact");
   SceneBuilder builder;
   builder.icosphere(builder.material(mirror()), {0, 0, 0}, 1, 5, Facing::inside, Shading::flat);
-  builder.icosphere(builder.material(diffuse(vec3(0.5f))), {0.6, 0, 0}, 0.06, 1, Facing::outside,
-                    Shading::flat);
+  builder.icosphere(builder.material(diffuse(vec3(0.5f))), {0.6, 0, 0}, 0.06, 1, Facing::outside, Shading::flat);
   builder.pointLight({-0.75, 0, 0}, vec3(1.0f));
   builder.camera({0.3, 0.1, 0}, {0.75, 0, 0}, 0.3, kSize, kSize);
   Scene scene = builder.finish();

@@ -89,7 +89,8 @@ TEST_F(Furnace, PhotonMappedBoxIsUniformUpToItsCorners) {
     RenderJob job = deepJob(Integrator::photon, 2, albedo);
     job.photons = 1u << 15;
     EXPECT_TRUE(isWithin(0.005, meanOverSeeds(job, glowingBox(albedo), 8), radianceOf(albedo))) << albedo;
-    EXPECT_TRUE(isWithin(0.005, meanOverSeeds(job, builder.finish(), 8), radianceOf(albedo))) << albedo << " in a corner";
+    EXPECT_TRUE(isWithin(0.005, meanOverSeeds(job, builder.finish(), 8), radianceOf(albedo)))
+        << albedo << " in a corner";
   }
 }
 

@@ -48,14 +48,15 @@ TEST_P(Smooth, SolidSlabPassesWhatFresnelLeaves) {
 TEST_P(Smooth, SolidSlabAbsorbsByItsThickness) {
   constexpr double kPerMetre = 0.4, kThickness = 2.5, kReflectance = 0.04;
   SceneBuilder builder = brightWall();
-  builder.box(builder.material(glass(1.5f, vec3(static_cast<float>(kPerMetre)))), {-2, -2, -1.5}, {2, 2, 1}, Facing::outside);
+  builder.box(builder.material(glass(1.5f, vec3(static_cast<float>(kPerMetre)))), {-2, -2, -1.5}, {2, 2, 1},
+              Facing::outside);
   const double through = std::exp(-kPerMetre * kThickness), there = kReflectance * through;
   EXPECT_TRUE(isWithin(0.02, momentsOf(valuesOf(renderImage(builder.finish(), 64))),
                        (1 - kReflectance) * (1 - kReflectance) * through / (1 - there * there)));
 }
 
-/// Share of light that passes a row of interfaces with these relative indices at normal incidence, all inner reflections
-/// counted: what they turn back, (1 - T) / T, adds up.
+/// Share of light that passes a row of interfaces with these relative indices at normal incidence, all inner
+/// reflections counted: what they turn back, (1 - T) / T, adds up.
 double rowTransmittance(std::initializer_list<double> relativeIndices) {
   double turnedBack = 0;
   for (const double n : relativeIndices) {
@@ -72,7 +73,7 @@ TEST_P(Smooth, SolidInSolidRefractsByTheRelativeIndex) {
     builder.box(builder.material(glass(inner)), {-1, -1, -0.2}, {1, 1, 0.2}, Facing::outside);
     const double relative = static_cast<double>(inner) / 1.5;
     EXPECT_TRUE(isWithin(0.02, momentsOf(valuesOf(renderImage(builder.finish(), 32))),
-                        rowTransmittance({1.5, relative, relative, 1.5})))
+                         rowTransmittance({1.5, relative, relative, 1.5})))
         << inner;
   }
 }
@@ -81,8 +82,10 @@ TEST_P(Smooth, SolidInSolidRefractsByTheRelativeIndex) {
 TEST_P(Smooth, SolidsBehindEachOtherInASolidRefractAlike) {
   SceneBuilder builder = brightWall();
   builder.box(builder.material(glass(1.5f)), {-2, -2, -0.5}, {2, 2, 0.5}, Facing::outside);
-  for (const double z : {-0.4, 0.1}) builder.box(builder.material(glass(2.25f)), {-1, -1, z}, {1, 1, z + 0.3}, Facing::outside);
-  EXPECT_TRUE(isWithin(0.02, momentsOf(valuesOf(renderImage(builder.finish(), 256))), rowTransmittance({1.5, 1.5, 1.5, 1.5, 1.5, 1.5})));
+  for (const double z : {-0.4, 0.1})
+    builder.box(builder.material(glass(2.25f)), {-1, -1, z}, {1, 1, z + 0.3}, Facing::outside);
+  EXPECT_TRUE(isWithin(0.02, momentsOf(valuesOf(renderImage(builder.finish(), 256))),
+                       rowTransmittance({1.5, 1.5, 1.5, 1.5, 1.5, 1.5})));
 }
 
 TEST_P(Smooth, OverlappingSolidsMeetInOneInterface) {
@@ -98,7 +101,8 @@ TEST_P(Smooth, CameraInsideGlassSeesThroughIt) {
   SceneBuilder builder;
   builder.square(builder.material(emitter(vec3(1.0f))), {0, 0, -2}, {0, 0, 1}, 4);
   const double perMetre = 0.7;
-  builder.box(builder.material(glass(1.5f, vec3(static_cast<float>(perMetre)))), {-2, -2, -0.5}, {2, 2, 3}, Facing::outside);
+  builder.box(builder.material(glass(1.5f, vec3(static_cast<float>(perMetre)))), {-2, -2, -0.5}, {2, 2, 3},
+              Facing::outside);
   builder.camera({0, 0, 1}, {0, 0, 0}, 0.02, kSize, kSize);
   // Once through to the wall; of what it turns back, the far wall sends 0.04 through the solid again.
   constexpr double kSquare = 1.5 * 1.5;

@@ -30,7 +30,8 @@ TEST(GuidePmf, OfNothingLearnedAreNearlyByPower) {
   const auto expected = [](double power) { return 0.925 * power + 0.075 / 32; };
   EXPECT_NEAR(cells.front(), expected(0.75 / 16), 1e-15);
   EXPECT_NEAR(cells.back(), expected(0.25 / 16), 1e-15);
-  const GuidePmf chosen = chooseGuidePmf(std::vector<double>(32), std::vector<double>(32), {0.75, 0.25}, 4, GuideWeight::importance);
+  const GuidePmf chosen =
+      chooseGuidePmf(std::vector<double>(32), std::vector<double>(32), {0.75, 0.25}, 4, GuideWeight::importance);
   EXPECT_EQ(chosen.gain, 1);
 }
 

@@ -20,8 +20,7 @@ SceneBuilder room(const vec3& area, const vec3& point) {
   SceneBuilder builder;
   builder.box(builder.material(diffuse(vec3(0.6f))), {-1, -1, -1}, {1, 1, 1}, Facing::inside);
   builder.square(builder.material(mirror(vec3(0.9f))), {-0.9, 0, 0}, {1, 0.1, 0}, 0.7);
-  builder.icosphere(builder.material(glass(1.5f)), {0.3, -0.5, -0.2}, 0.35, 2, Facing::outside,
-                    Shading::smooth);
+  builder.icosphere(builder.material(glass(1.5f)), {0.3, -0.5, -0.2}, 0.35, 2, Facing::outside, Shading::smooth);
   builder.square(builder.material(emitter(area)), {0, 0.9, 0}, {0, -1, 0}, 0.6);  // it is there too when it is dark
   if (point != vec3(0.0f)) builder.pointLight({-0.4, 0.3, 0.5}, point);
   builder.camera({0.1, 0.2, 0.9}, {-0.1, -0.3, -1}, 1.3, kSize, kSize);
@@ -96,16 +95,14 @@ TEST_P(Invariance, ThreadsDoNotChangeTheBits) {
 
 TEST_P(Invariance, AllFeaturesTogetherGiveTheSameImage) {
   SceneBuilder builder;
-  builder.box(builder.material(emitter(vec3(1.0f), false, vec3(0.5f))), {-1, -1, -1}, {1, 1, 1},
-              Facing::inside);
+  builder.box(builder.material(emitter(vec3(1.0f), false, vec3(0.5f))), {-1, -1, -1}, {1, 1, 1}, Facing::inside);
   builder.camera({0.1, 0.2, 0.9}, {-0.1, -0.3, -1}, 1.3, kSize, kSize);
   const Scene scene = builder.finish();
   RenderJob all = job();
   all.forcesAllFeatures = true;
   const Image lean = renderScene(job(), scene).image, full = renderScene(all, scene).image;
   for (std::size_t i = 0; i < lean.channels[0].values.size(); ++i)  // float rounding of other machine code
-    ASSERT_NEAR(lean.channels[0].values[i], full.channels[0].values[i], 1e-4f * lean.channels[0].values[i])
-        << i;
+    ASSERT_NEAR(lean.channels[0].values[i], full.channels[0].values[i], 1e-4f * lean.channels[0].values[i]) << i;
 }
 
 TEST_P(Invariance, TwoLightsGiveTheSumOfEach) {

@@ -33,20 +33,17 @@ std::vector<double> imageOf(const Scene& scene, const std::function<double(const
 
 /// Irradiance at `point` from a polygon of radiance 1, counter-clockwise seen from the lit side.
 /// [Lambert 1760; Arvo 1995, eq. 5]
-double polygonIrradiance(const glm::dvec3& point, const glm::dvec3& normal,
-                         const std::vector<glm::dvec3>& corners) {
+double polygonIrradiance(const glm::dvec3& point, const glm::dvec3& normal, const std::vector<glm::dvec3>& corners) {
   double sum = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const glm::dvec3 a = glm::normalize(corners[i] - point);
     const glm::dvec3 b = glm::normalize(corners[(i + 1) % corners.size()] - point);
-    sum +=
-        std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0)) * glm::dot(glm::normalize(glm::cross(a, b)), normal);
+    sum += std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0)) * glm::dot(glm::normalize(glm::cross(a, b)), normal);
   }
   return std::abs(sum) / 2;
 }
 
-std::vector<glm::dvec3> discCorners(const glm::dvec3& center, const glm::dvec3& normal, double radius,
-                                    int segments) {
+std::vector<glm::dvec3> discCorners(const glm::dvec3& center, const glm::dvec3& normal, double radius, int segments) {
   glm::dvec3 tangent, bitangent;
   tangentFrame(normal, tangent, bitangent);
   std::vector<glm::dvec3> corners;
@@ -81,10 +78,9 @@ TEST_P(Irradiance, OfSpotLightFollowsKhrLightsPunctual) {
   builder.spotLight({0, kHeight, 0}, {0, -1, 0}, vec3(5.0f), kInner, kOuter);
   const Scene scene = builder.finish();
   EXPECT_TRUE(isImageOf(renderDirect(scene, 16).image, imageOf(scene, [](const glm::dvec3& p) {
-                          const double d2 = kHeight * kHeight + p.x * p.x + p.z * p.z,
-                                       cosine = kHeight / std::sqrt(d2);
-                          const double t = std::clamp(
-                              (cosine - std::cos(kOuter)) / (std::cos(kInner) - std::cos(kOuter)), 0.0, 1.0);
+                          const double d2 = kHeight * kHeight + p.x * p.x + p.z * p.z, cosine = kHeight / std::sqrt(d2);
+                          const double t =
+                              std::clamp((cosine - std::cos(kOuter)) / (std::cos(kInner) - std::cos(kOuter)), 0.0, 1.0);
                           return 5 * t * t * cosine / d2;
                         })));
 }
@@ -117,11 +113,10 @@ TEST_P(Irradiance, OfDiscLightOnItsAxis) {
     const double closedForm = 2 * kPi * kRadius * kRadius / (kRadius * kRadius + kHeight * kHeight);
     EXPECT_NEAR(2 * polygonIrradiance({0.2, 0, 0.1}, {0, 1, 0}, corners), closedForm,
                 closedForm * 10 / (segments * segments));
-    EXPECT_TRUE(
-        isImageOf(renderDirect(scene, 8).image, imageOf(scene,
-                                                        [&](const glm::dvec3& p) {
-                                                          return 2 * polygonIrradiance(p, {0, 1, 0}, corners);
-                                                        })))
+    EXPECT_TRUE(isImageOf(renderDirect(scene, 8).image, imageOf(scene,
+                                                                [&](const glm::dvec3& p) {
+                                                                  return 2 * polygonIrradiance(p, {0, 1, 0}, corners);
+                                                                })))
         << segments;
   }
 }
@@ -143,7 +138,8 @@ TEST_P(Irradiance, OfTinyAreaLightIsThatOfAPoint) {
   const StabilityCase listed(42, "a light of 1e-12 m²", "that of a point");
   constexpr double kHeight = 1.5, kArea = 1e-12, kRadiance = 1e12;
   SceneBuilder builder = whitePlane();
-  builder.square(builder.material(emitter(vec3(static_cast<float>(kRadiance)))), {0, kHeight, 0}, {0, -1, 0}, std::sqrt(kArea));
+  builder.square(builder.material(emitter(vec3(static_cast<float>(kRadiance)))), {0, kHeight, 0}, {0, -1, 0},
+                 std::sqrt(kArea));
   const Scene scene = builder.finish();
   EXPECT_TRUE(isImageOf(renderDirect(scene, 2).image, imageOf(scene, [](const glm::dvec3& p) {
                           const double d2 = kHeight * kHeight + p.x * p.x + p.z * p.z;

@@ -119,7 +119,8 @@ SceneBuilder icosahedron(const Material& material, Facing facing) {
 TEST_F(Materials, ShadingNormalsLetNoLightThroughTheBack) {
   StabilityCase listed(44, "shading normals far off", "no light through the back");
   // Both inside: one behind all shading normals; one at a corner, towards which shading normals around it lean.
-  for (const glm::dvec3& light : {glm::dvec3(0.1, 0.2, 0), 0.95 * glm::normalize(glm::dvec3(0, 1, glm::golden_ratio<double>()))})
+  for (const glm::dvec3& light :
+       {glm::dvec3(0.1, 0.2, 0), 0.95 * glm::normalize(glm::dvec3(0, 1, glm::golden_ratio<double>()))})
     for (const Facing facing : {Facing::outside, Facing::inside}) {
       SceneBuilder builder = icosahedron(diffuse(vec3(0.9f)), facing);
       builder.square(builder.material(diffuse(vec3(0.9f))), {0, -1.2, 0}, {0, 1, 0}, 8);

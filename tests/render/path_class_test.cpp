@@ -14,10 +14,10 @@ constexpr int kSize = 8;
 struct PathClass {
   std::string name;
   void (*build)(SceneBuilder&);
-  int paths;        // per pixel, of the path tracer
-  int gather;       // rays per pixel and pass of the photon map's image
-  int log2Photons;  // per pass
-  bool hasGather = false;  // so that it differs where gather rays read
+  int paths;                           // per pixel, of the path tracer
+  int gather;                          // rays per pixel and pass of the photon map's image
+  int log2Photons;                     // per pass
+  bool hasGather = false;              // so that it differs where gather rays read
   std::optional<double> density = {};  // of the map of photons, 1/m²: where edges are near, lookups must be narrow
 };
 
@@ -88,8 +88,8 @@ void buildLDSD(SceneBuilder& builder) {
   builder.camera({1.2, 1.5, 0}, {1, 0, 0.1}, 0.8, kSize, kSize);
 }
 
-/// The light shines down into a white box, and covers half of its opening. Through the other half a mirror shows the box to
-/// a plate beside it, which the camera sees.
+/// The light shines down into a white box, and covers half of its opening. Through the other half a mirror shows the
+/// box to a plate beside it, which the camera sees.
 void buildLDDSD(SceneBuilder& builder) {
   addOpenBox(builder, -1);
   builder.square(white(builder), {1, 0.9, 0}, {0, 1, 0}, 1.8);
@@ -161,17 +161,19 @@ TEST_P(PathClasses, MapAndPathTracerAgree) {
       << "gathered from photons";
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Of, PathClasses,
-    ::testing::Values(PathClass{"LD", buildLD, 64, 16, 12}, PathClass{"LDD", buildLDD, 2048, 512, 14, true},
-                      PathClass{"LSD", buildLSD, 256, 16, 17}, PathClass{"LSDD", buildLSDD, 1024, 128, 17, true, 20000},
-                      PathClass{"LDSD", buildLDSD, 3072, 768, 15, true},
-                      PathClass{"LDDSD", buildLDDSD, 3072, 512, 17, true, 20000},
-                      PathClass{"LDSE", buildLDSE, 512, 128, 13}, PathClass{"GlassBall", buildGlassBall, 1024, 128, 16, true},
-                      PathClass{"ThinPane", buildThinPane, 512, 64, 15},
-                      PathClass{"FrostedPane", buildFrostedPane, 512, 64, 15},
-                      PathClass{"GlossyPlate", buildGlossyPlate, 1024, 256, 14, true}),
-    [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Of, PathClasses,
+                         ::testing::Values(PathClass{"LD", buildLD, 64, 16, 12},
+                                           PathClass{"LDD", buildLDD, 2048, 512, 14, true},
+                                           PathClass{"LSD", buildLSD, 256, 16, 17},
+                                           PathClass{"LSDD", buildLSDD, 1024, 128, 17, true, 20000},
+                                           PathClass{"LDSD", buildLDSD, 3072, 768, 15, true},
+                                           PathClass{"LDDSD", buildLDDSD, 3072, 512, 17, true, 20000},
+                                           PathClass{"LDSE", buildLDSE, 512, 128, 13},
+                                           PathClass{"GlassBall", buildGlassBall, 1024, 128, 16, true},
+                                           PathClass{"ThinPane", buildThinPane, 512, 64, 15},
+                                           PathClass{"FrostedPane", buildFrostedPane, 512, 64, 15},
+                                           PathClass{"GlossyPlate", buildGlossyPlate, 1024, 256, 14, true}),
+                         [](const auto& test) { return test.param.name; });
 
 }  // namespace
 }  // namespace importon::test

@@ -29,9 +29,9 @@ bool requiresVulkan() {
   const double least = sidak(kSignificance, tests);
   noteCheck(figures, 1 - std::log(std::max(test.pValue, 1e-300)) / std::log(least));
   if (test.pValue >= least) return ::testing::AssertionSuccess() << figures;
-  return ::testing::AssertionFailure()
-         << figures
-         << fmt::format(": statistic {:.2f}, p = {:.2e} < {:.2e}", test.statistic, test.pValue, least);
+  return ::testing::AssertionFailure() << figures
+                                       << fmt::format(": statistic {:.2f}, p = {:.2e} < {:.2e}", test.statistic,
+                                                      test.pValue, least);
 }
 
 std::string describe(const Moments& m) {
@@ -149,8 +149,8 @@ Moments meanOverSeeds(const RenderJob& job, const Scene& scene, int seeds) {
     }
     if (differing > 0)
       return ::testing::AssertionFailure()
-             << fmt::format("{} of {} values of channel {} differ, the first at {}: {:.9g} and {:.9g}",
-                            differing, va.size(), a.channels[c].name, first, va[first], vb[first]);
+             << fmt::format("{} of {} values of channel {} differ, the first at {}: {:.9g} and {:.9g}", differing,
+                            va.size(), a.channels[c].name, first, va[first], vb[first]);
   }
   return ::testing::AssertionSuccess();
 }
@@ -170,8 +170,7 @@ std::vector<double> planeImage(const Scene& scene, const glm::dvec3& point, cons
   const glm::dvec3 origin(camera.worldFromCamera[3]);
   const double halfHeight = std::tan(camera.yfov / 2), halfWidth = halfHeight * camera.aspectRatio;
   const auto radianceAlong = [&](double x, double y) {
-    const glm::dvec3 local((2 * x / camera.width - 1) * halfWidth, (1 - 2 * y / camera.height) * halfHeight,
-                           -1);
+    const glm::dvec3 local((2 * x / camera.width - 1) * halfWidth, (1 - 2 * y / camera.height) * halfHeight, -1);
     const glm::dvec3 direction = glm::dmat3(camera.worldFromCamera) * local;
     return radiance(origin + direction * (glm::dot(point - origin, normal) / glm::dot(direction, normal)));
   };

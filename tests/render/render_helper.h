@@ -46,8 +46,7 @@ struct Region {
 [[nodiscard]] Region wholeOf(const Image& image);
 
 /// Values of a channel ("R", "G", "B", or an AOV's) in a region, or in all of the image.
-[[nodiscard]] std::vector<float> valuesOf(const Image& image, const Region& region,
-                                          const std::string& channel = "R");
+[[nodiscard]] std::vector<float> valuesOf(const Image& image, const Region& region, const std::string& channel = "R");
 [[nodiscard]] std::vector<float> valuesOf(const Image& image, const std::string& channel = "R");
 
 /// Mean over a region.
@@ -56,9 +55,8 @@ struct Region {
 
 /// What `figures` takes from renders with the seeds 1 .. `seeds`: moments of each figure over the seeds, which
 /// are independent, whereas passes are not.
-[[nodiscard]] std::vector<Moments> overSeeds(
-    RenderJob job, const Scene& scene, int seeds,
-    const std::function<std::vector<double>(const Rendered&)>& figures);
+[[nodiscard]] std::vector<Moments> overSeeds(RenderJob job, const Scene& scene, int seeds,
+                                             const std::function<std::vector<double>(const Rendered&)>& figures);
 
 /// Mean of the red channel over the image, over seeds.
 [[nodiscard]] Moments meanOverSeeds(const RenderJob& job, const Scene& scene, int seeds);
@@ -74,8 +72,7 @@ struct Region {
 
 /// What the image's pixels are in the mean if `radiance` holds where the scene's first camera looks: on the
 /// plane through `point` with `normal` (world), 16 x 16 points a pixel.
-[[nodiscard]] std::vector<double> planeImage(const Scene& scene, const glm::dvec3& point,
-                                             const glm::dvec3& normal,
+[[nodiscard]] std::vector<double> planeImage(const Scene& scene, const glm::dvec3& point, const glm::dvec3& normal,
                                              const std::function<double(const glm::dvec3&)>& radiance);
 
 /// Student's test that values / expected has the mean 1, in each of blocks x blocks parts of an image.

@@ -14,8 +14,9 @@ namespace {
 
 class Required : public RenderTest {};
 
-/// A glass ball over a floor that is a little glossy, lit by a small lamp, whose light it focuses, and by a strong light
-/// that shines on the floor below the edge of a wall, misses the ball and drowns the caustic. The camera sees the floor.
+/// A glass ball over a floor that is a little glossy, lit by a small lamp, whose light it focuses, and by a strong
+/// light that shines on the floor below the edge of a wall, misses the ball and drowns the caustic. The camera sees the
+/// floor.
 Scene drownedCaustic() {
   SceneBuilder builder;
   Material floor = diffuse(vec3(0.5f));

@@ -52,8 +52,8 @@ Material varnish() {
   return material;
 }
 
-/// Two rooms and a doorway between them with a varnished ball in it; the lamp in one, the camera looking at the floor of
-/// the other.
+/// Two rooms and a doorway between them with a varnished ball in it; the lamp in one, the camera looking at the floor
+/// of the other.
 Scene rooms() {
   SceneBuilder builder;
   const uint white = builder.material(diffuse(vec3(0.7f)));

@@ -76,8 +76,10 @@ TEST_F(Shooting, OfEnoughPhotonsKeepsTheMean) {
       const Rendered rendered = renderScene(job, scene);
       image[way].add(meanOf(rendered.image));
       flux[way].add(rendered.stats.global.fluxHits[0]);
-      if (shooting == PhotonsShot::all) EXPECT_EQ(rendered.stats.photonsEmitted, 2 * kMostPhotons);
-      else EXPECT_LT(rendered.stats.photonsEmitted, kMostPhotons);
+      if (shooting == PhotonsShot::all)
+        EXPECT_EQ(rendered.stats.photonsEmitted, 2 * kMostPhotons);
+      else
+        EXPECT_LT(rendered.stats.photonsEmitted, kMostPhotons);
     }
   }
   EXPECT_TRUE(areWithin(0.02, image[1], image[0]));

@@ -74,11 +74,11 @@ std::optional<std::string> findBrowser() {
 PageVisit visitPage(const std::string& browser, const std::string& page, const std::string& script) {
   const TemporaryFolder folder;
   writeFile(folder / "page.html", replaced(replaced(page, "</body>", after(script)), "<head>", kBefore));
-  const std::string dom = outputOf(
-      browser + " --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --window-size=1200,900 " +
-      "--user-data-dir='" + (folder / "profile").string() +
-      "' --host-resolver-rules='MAP * ~NOTFOUND' --virtual-time-budget=5000 --dump-dom 'file://" +
-      (folder / "page.html").string() + "' 2> '" + (folder / "log").string() + "'");
+  const std::string dom =
+      outputOf(browser + " --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --window-size=1200,900 " +
+               "--user-data-dir='" + (folder / "profile").string() +
+               "' --host-resolver-rules='MAP * ~NOTFOUND' --virtual-time-budget=5000 --dump-dom 'file://" +
+               (folder / "page.html").string() + "' 2> '" + (folder / "log").string() + "'");
   const std::string mark = "<pre id=\"visit\">";
   const std::size_t at = dom.find(mark);
   if (at == std::string::npos) throw std::runtime_error("the browser gave no page: " + readFile(folder / "log"));

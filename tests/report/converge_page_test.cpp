@@ -19,8 +19,8 @@ class ConvergePage : public ::testing::Test {
     if (!browser_) GTEST_SKIP() << "no Chromium: apt-get install chromium";
   }
   PageVisit visit(const std::string& script) {
-    return test::visitPage(*browser_,
-                     convergePage(test::sampleTitle(), test::sampleReport(), greyRow({0.5F, 0.5F})), script);
+    return test::visitPage(*browser_, convergePage(test::sampleTitle(), test::sampleReport(), greyRow({0.5F, 0.5F})),
+                           script);
   }
 
  private:
@@ -28,9 +28,10 @@ class ConvergePage : public ::testing::Test {
 };
 
 TEST_F(ConvergePage, LoadsWithoutErrorsOrANetwork) {
-  const PageVisit page = visit("tell(document.querySelectorAll('#plot circle').length + ' points, ' + "
-                               "document.querySelectorAll('#plot .curve').length + ' curves, ' + "
-                               "[...document.images].every(i => i.complete && i.naturalWidth === 2));");
+  const PageVisit page = visit(
+      "tell(document.querySelectorAll('#plot circle').length + ' points, ' + "
+      "document.querySelectorAll('#plot .curve').length + ' curves, ' + "
+      "[...document.images].every(i => i.complete && i.naturalWidth === 2));");
   EXPECT_EQ(page.errors, "");
   EXPECT_EQ(page.result, "12 points, 2 curves, true");
 }
@@ -49,8 +50,7 @@ TEST_F(ConvergePage, TellsOfAPointUnderThePointer) {
       "document.querySelectorAll('#plot g.dim').length);"
       "dot.dispatchEvent(new PointerEvent('pointerleave')); tell(' then ' + getComputedStyle(tip).display);");
   EXPECT_EQ(page.errors, "");
-  EXPECT_EQ(page.result,
-            "block: a<b, seed 1 | 1 s, 10 passes, 1000 photons | trimmed relMSE 0.64 | 1 then none");
+  EXPECT_EQ(page.result, "block: a<b, seed 1 | 1 s, 10 passes, 1000 photons | trimmed relMSE 0.64 | 1 then none");
 }
 
 TEST_F(ConvergePage, DrawsOtherErrorsAndAxes) {
@@ -97,8 +97,8 @@ TEST_F(ConvergePage, HasTheTables) {
   EXPECT_EQ(page.result, "configuration:options default:defaults a<b:--control off | not reached | 7");
 }
 
-// The reference's own error is 0.003: the first error of the first configuration, 0.16, is above ten times that; its last
-// one, 0.01, and the level of 0.02 are below.
+// The reference's own error is 0.003: the first error of the first configuration, 0.16, is above ten times that; its
+// last one, 0.01, and the level of 0.02 are below.
 TEST_F(ConvergePage, TellsWhatTheReferenceIsTooNoisyFor) {
   const PageVisit page = visit(
       "const cells = (table, row) => [...document.querySelectorAll(table + ' tr')[row].cells].map(c => c.textContent);"

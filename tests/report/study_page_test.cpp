@@ -54,7 +54,9 @@ TEST(StudyFigures, LeaveOutEmptyMapsAndShareAScale) {
 
 TEST(StudyFigures, ColoursAreLogarithmic) {
   const PngPixels pixels = logColors(4, 1, std::vector<float>{0, 1, 10, 100}, 1, 100);
-  const auto at = [&](std::size_t i) { return std::array{pixels.rgb[3 * i], pixels.rgb[3 * i + 1], pixels.rgb[3 * i + 2]}; };
+  const auto at = [&](std::size_t i) {
+    return std::array{pixels.rgb[3 * i], pixels.rgb[3 * i + 1], pixels.rgb[3 * i + 2]};
+  };
   EXPECT_EQ(at(0), falseColor(0));
   EXPECT_EQ(at(1), falseColor(0));
   EXPECT_EQ(at(2), falseColor(0.5F));
@@ -85,7 +87,8 @@ class StudyPage : public ::testing::Test {
 
 TEST_F(StudyPage, ShowsFiguresTablesAndScalesWithoutANetwork) {
   const PageVisit page = visit(
-      "tell(document.querySelectorAll('section').length + ' ' + document.querySelectorAll('section.pair').length + ' ' +"
+      "tell(document.querySelectorAll('section').length + ' ' + document.querySelectorAll('section.pair').length + ' ' "
+      "+"
       "[...document.images].every(i => i.complete && i.naturalWidth === 2) + ' ' +"
       "document.querySelector('#figure4 .scale').textContent + ' ' +"
       "[...document.querySelectorAll('#counts tr:nth-child(3) td')].map(c => c.textContent).join(','));");

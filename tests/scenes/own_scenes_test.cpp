@@ -72,8 +72,7 @@ TEST_P(OwnScenes, HaveOnlyLambertianAndSmoothSpecularMaterials) {
     const bool isLambertian = material.metallic == 0 && material.specular == 0 && material.transmission == 0;
     const bool isMetal = material.metallic == 1;
     const bool isSolidGlass = material.transmission == 1 && (material.flags & kMaterialSolid) != 0;
-    EXPECT_TRUE(isLambertian || ((isMetal || isSolidGlass) && material.roughness == 0))
-        << scene.materialNames[i];
+    EXPECT_TRUE(isLambertian || ((isMetal || isSolidGlass) && material.roughness == 0)) << scene.materialNames[i];
     EXPECT_EQ(material.flags & kMaterialDoubleSided, 0u) << scene.materialNames[i];
     isAllDiffuse = isAllDiffuse && isLambertian;
   }
@@ -83,8 +82,7 @@ TEST_P(OwnScenes, HaveOnlyLambertianAndSmoothSpecularMaterials) {
 INSTANTIATE_TEST_SUITE_P(All, OwnScenes,
                          ::testing::Values(Expectation{"cornell_box", 36, 2, 0.192f, 16, 512, 512, true},
                                            Expectation{"glass_ball", 40972, 2, 0.16f, 26, 512, 512, false},
-                                           Expectation{"glass_caustic", 57658, 2, 0.0025f, 1750, 640, 480,
-                                                       false},
+                                           Expectation{"glass_caustic", 57658, 2, 0.0025f, 1750, 640, 480, false},
                                            Expectation{"rooms", 96220, 24, 3.0f, 90, 640, 480, true},
                                            Expectation{"door_slit", 24674, 2, 0.09f, 16000, 640, 480, true},
                                            Expectation{"ring", 24580, 2, 0.01f, 1220, 640, 480, false},

@@ -27,8 +27,7 @@ TEST_F(References, OfCornellBoxIsWhatThePathTracerConvergesTo) {
       for (int i = 0; i < kParts; ++i) {
         const Region region{i * image.width / kParts, j * image.height / kParts, (i + 1) * image.width / kParts,
                             (j + 1) * image.height / kParts};
-        const std::vector<float> now = valuesOf(image, region, channel),
-                                 stored = valuesOf(reference, region, channel);
+        const std::vector<float> now = valuesOf(image, region, channel), stored = valuesOf(reference, region, channel);
         Moments differences;
         for (std::size_t k = 0; k < now.size(); ++k) differences.add(static_cast<double>(now[k] - stored[k]));
         EXPECT_TRUE(hasMean(differences, 0, 3 * kParts * kParts)) << channel << ' ' << i << ' ' << j;

@@ -37,10 +37,12 @@ TEST_F(HardViews, OfOneRowAreFinite) {
 
 /// Each value at its limits, in one scene.
 TEST_F(HardViews, OfMaterialsAtTheirLimitsAreFinite) {
-  const StabilityCase listed(50, "roughness 1e-9, ior 1e4 and 1 + 1e-7, absorption 1e30, coats, black and white", "finite, energy exact");
+  const StabilityCase listed(50, "roughness 1e-9, ior 1e4 and 1 + 1e-7, absorption 1e30, coats, black and white",
+                             "finite, energy exact");
   SceneBuilder builder = litBox();
-  std::vector<Material> materials = {metal(vec3(1.0f), 1e-9f), metal(vec3(0.0f), 1.0f), glass(1e4f), glass(1.0000001f),
-                                     glass(1.5f, vec3(1e30f)), thinGlass(1.0f), diffuse(vec3(1.0f))};
+  std::vector<Material> materials = {metal(vec3(1.0f), 1e-9f), metal(vec3(0.0f), 1.0f),  glass(1e4f),
+                                     glass(1.0000001f),        glass(1.5f, vec3(1e30f)), thinGlass(1.0f),
+                                     diffuse(vec3(1.0f))};
   Material coated = metal(vec3(1.0f), 0.5f), frosted = glass(1.5f);
   coated.clearcoat = 1;
   coated.clearcoatRoughness = 1e-4f;
@@ -48,7 +50,8 @@ TEST_F(HardViews, OfMaterialsAtTheirLimitsAreFinite) {
   frosted.specular = 0;
   materials.insert(materials.end(), {coated, frosted});
   for (std::size_t i = 0; i < materials.size(); ++i)
-    builder.icosphere(builder.material(materials[i]), {-0.8 + 0.2 * static_cast<double>(i), -0.5, 0}, 0.09, 2, Facing::outside, Shading::smooth);
+    builder.icosphere(builder.material(materials[i]), {-0.8 + 0.2 * static_cast<double>(i), -0.5, 0}, 0.09, 2,
+                      Facing::outside, Shading::smooth);
   builder.camera({0.1, 0.2, 0.9}, {0, -0.5, 0}, 1.3, 24, 12);
   for (const Integrator integrator : {Integrator::path, Integrator::photon}) {
     const Rendered r = renderScene(makeJob(integrator, 2), builder.finish());

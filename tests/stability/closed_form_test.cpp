@@ -27,7 +27,8 @@ TEST_F(ClosedForms, SlowRouletteKeepsTheMeanOfEveryChannel) {
   const std::vector<Moments> found = overSeeds(job, builder.finish(), 8, power);
   for (int c = 0; c < 3; ++c) {
     const double emitted = 4 * glm::pi<double>() * (c + 1);
-    EXPECT_TRUE(isWithin(0.02, found[static_cast<std::size_t>(c)], emitted / (1 - static_cast<double>(albedo[c])))) << c;
+    EXPECT_TRUE(isWithin(0.02, found[static_cast<std::size_t>(c)], emitted / (1 - static_cast<double>(albedo[c]))))
+        << c;
   }
 }
 

@@ -4,7 +4,8 @@
 
 namespace importon::test {
 
-/// Two closed spheres of albedo 0.5 and radius 1 m; in the camera's one a light of 1 W/sr, in the other one of 1e8 W/sr.
+/// Two closed spheres of albedo 0.5 and radius 1 m; in the camera's one a light of 1 W/sr, in the other one of 1e8
+/// W/sr.
 [[nodiscard]] inline Scene sphereBesideStrongLight(int size) {
   SceneBuilder builder;
   const uint walls = builder.material(diffuse(vec3(0.5f)));

@@ -26,7 +26,8 @@ double areaOf(const Scene& scene, std::size_t first, std::size_t count) {
 }
 
 TEST_F(HardLights, SlowWeakLightGetsPhotonsBesideAStrongHiddenOne) {
-  const StabilityCase listed(45, "photons of a light 1e-8 as strong as a hidden one", "E = power / (4 pi R² (1 - albedo))");
+  const StabilityCase listed(45, "photons of a light 1e-8 as strong as a hidden one",
+                             "E = power / (4 pi R² (1 - albedo))");
   const Scene scene = sphereBesideStrongLight(kSize);
   const double expected = 0.5 / kPi * 4 * kPi / (areaOf(scene, 0, scene.triangles.size() / 2) * 0.5);
   for (const EmissionChoice emission : {EmissionChoice::power, EmissionChoice::guided}) {
@@ -125,7 +126,8 @@ TEST_F(HardLights, SlowSlitFillsTheRoomBehindIt) {
   const StabilityCase listed(24, "a 1 mm slit between two rooms", "power behind it pi L A_slit / (1 - albedo)");
   constexpr double kSlit = 1e-3, kAlbedo = 0.5, kGap = 1e-6;  // m; the gap keeps the rooms' walls apart
   SceneBuilder builder;
-  const uint glowing = builder.material(emitter(vec3(1.0f))), grey = builder.material(diffuse(vec3(static_cast<float>(kAlbedo))));
+  const uint glowing = builder.material(emitter(vec3(1.0f))),
+             grey = builder.material(diffuse(vec3(static_cast<float>(kAlbedo))));
   // Each wall between the rooms is two parts, above and below the slit.
   for (const double side : {-1.0, 1.0}) {
     const uint material = side < 0 ? glowing : grey;

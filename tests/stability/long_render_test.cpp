@@ -2,8 +2,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "render/renderer.h"
 #include "hard_scenes.h"
+#include "render/renderer.h"
 #include "render_helper.h"
 
 namespace importon::test {
@@ -75,10 +75,12 @@ TEST_F(LongRenders, SumsOfAMillionPassesGoOnToGrow) {
   renderer.done() = sumsOf(job, static_cast<std::uint64_t>(before.passes));
   constexpr int kMore = 32;
   renderPasses(renderer, before.passes, kMore);
-  const std::vector<FilmPixel> old = filmOf(before), grown = filmOf({0, before.passes + kMore, blocksOf(renderer.state())});
+  const std::vector<FilmPixel> old = filmOf(before),
+                               grown = filmOf({0, before.passes + kMore, blocksOf(renderer.state())});
   Moments added;
   for (std::size_t i = 0; i < old.size(); ++i)
-    for (int c = 0; c < 3; ++c) added.add(static_cast<double>(grown[i].direct[c]) - static_cast<double>(old[i].direct[c]));
+    for (int c = 0; c < 3; ++c)
+      added.add(static_cast<double>(grown[i].direct[c]) - static_cast<double>(old[i].direct[c]));
   EXPECT_TRUE(isWithin(0.01, added, static_cast<double>(0.1f) * 4 * kMore / 2));
   EXPECT_TRUE(isConstant(renderer.image(), 0.1, 1e-5));
 }
@@ -120,7 +122,8 @@ TEST_F(LongRenders, RandomNumbersDoNotComeAgain) {
 
 /// A photon of the weak light is less than a hundredth of a unit of the cells' power by then.
 TEST_F(LongRenders, SlowCellsKeepTheWeakestLight) {
-  const StabilityCase listed(55, "light 1e-8 as strong as a hidden one, after 2^18 passes", "the same mean as at the start");
+  const StabilityCase listed(55, "light 1e-8 as strong as a hidden one, after 2^18 passes",
+                             "the same mean as at the start");
   const Scene scene = sphereBesideStrongLight(kSize);
   RenderJob job = makeJob(Integrator::photon, 2);
   Moments early, late;

@@ -17,7 +17,8 @@ class Place : public RenderTest {};
 SceneBuilder room() {
   SceneBuilder builder;
   builder.box(builder.material(diffuse(vec3(0.6f))), {-1, -1, -1}, {1, 1, 1}, Facing::inside);
-  builder.icosphere(builder.material(diffuse(vec3(0.3f))), {0.3, -0.5, -0.2}, 0.35, 2, Facing::outside, Shading::smooth);
+  builder.icosphere(builder.material(diffuse(vec3(0.3f))), {0.3, -0.5, -0.2}, 0.35, 2, Facing::outside,
+                    Shading::smooth);
   builder.square(builder.material(emitter(vec3(3.0f))), {0, 0.9, 0}, {0, -1, 0}, 0.6);
   builder.camera({0.1, 0.2, 0.9}, {-0.1, -0.3, -1}, 1.3, kSize, kSize);
   return builder;
@@ -93,7 +94,8 @@ TEST_F(Place, SlowRaysAmongTooManyDiagonalNeedlesAreGivenUpWithACount) {
   builder.transform(glm::rotate(glm::dmat4(1.0), glm::quarter_pi<double>(), glm::dvec3(0, 1, 0)));
   const Rendered r = renderScene(makeJob(Integrator::path, 1), builder.finish());
   EXPECT_TRUE(isSane(r.image));
-  const auto given = std::find_if(r.warnings.begin(), r.warnings.end(), [](const Warning& w) { return w.kind == "rays given up"; });
+  const auto given =
+      std::find_if(r.warnings.begin(), r.warnings.end(), [](const Warning& w) { return w.kind == "rays given up"; });
   ASSERT_TRUE(given != r.warnings.end());
   EXPECT_GT(std::stoul(given->message), 0u) << given->message;
   listed.note(given->message, 0.99);
@@ -105,8 +107,7 @@ TEST_F(Place, SphereLightThatTouchesAPlaneHasItsMean) {
   constexpr double kRadius = 0.3;
   SceneBuilder builder;
   builder.square(builder.material(diffuse(vec3(1.0f))), {0, 0, 0}, {0, 1, 0}, 4);
-  builder.icosphere(builder.material(emitter(vec3(2.0f))), {0, kRadius, 0}, kRadius, 6, Facing::outside,
-                    Shading::flat);
+  builder.icosphere(builder.material(emitter(vec3(2.0f))), {0, kRadius, 0}, kRadius, 6, Facing::outside, Shading::flat);
   builder.camera({1, 1, 0}, {0.5, 0, 0}, 0.5, kSize, kSize);
   const Scene scene = builder.finish();
   const auto radiance = [](const glm::dvec3& x) {

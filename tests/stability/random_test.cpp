@@ -66,7 +66,8 @@ class RandomScene : Dice {
     m.clearcoatRoughness = static_cast<float>(unit());
     m.absorption = oneIn(4) ? color() * static_cast<float>(magnitude(-6, 6)) : vec3(0.0f);
     m.specularColor = oneIn(4) ? color() : vec3(1.0f);
-    m.flags = (oneIn(2) ? kMaterialDoubleSided : 0u) | (oneIn(2) ? kMaterialSolid : 0u) | (oneIn(12) ? kMaterialUnlit : 0u);
+    m.flags =
+        (oneIn(2) ? kMaterialDoubleSided : 0u) | (oneIn(2) ? kMaterialSolid : 0u) | (oneIn(12) ? kMaterialUnlit : 0u);
     if (oneIn(6)) {
       m.flags |= oneIn(2) ? kMaterialAlphaMask : kMaterialAlphaBlend;
       m.baseColor.a = static_cast<float>(unit());
@@ -90,7 +91,8 @@ class RandomScene : Dice {
       case 2:
         return builder_.box(material, centre - size, centre + size, oneIn(2) ? Facing::inside : Facing::outside);
       default:
-        return builder_.icosphere(material, centre, size, below(3), oneIn(2) ? Facing::inside : Facing::outside, Shading::smooth);
+        return builder_.icosphere(material, centre, size, below(3), oneIn(2) ? Facing::inside : Facing::outside,
+                                  Shading::smooth);
     }
   }
 
@@ -123,8 +125,8 @@ class RandomScene : Dice {
     scene.textures.push_back(texture);
     const auto last = static_cast<uint>(scene.textures.size() - 1);
     for (Material& m : scene.materials)
-      for (uint* const use : {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.emissiveTexture, &m.transmissionTexture,
-                              &m.specularTexture, &m.clearcoatTexture})
+      for (uint* const use : {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.emissiveTexture,
+                              &m.transmissionTexture, &m.specularTexture, &m.clearcoatTexture})
         if (oneIn(3)) *use = last;
   }
 

@@ -1,6 +1,6 @@
 // How fast the error falls with the passes: at least as for independent samples, passes^-1, and where the radius of
-// lookups shrinks, passes^(-2/3) [Knaus and Zwicker 2011]; one low-discrepancy sequence through all passes makes it faster
-// where light is smooth. An error that stalls at a floor fails.
+// lookups shrinks, passes^(-2/3) [Knaus and Zwicker 2011]; one low-discrepancy sequence through all passes makes it
+// faster where light is smooth. An error that stalls at a floor fails.
 #include <cmath>
 #include <map>
 
@@ -78,7 +78,8 @@ TEST_F(ErrorSlopes, SlowOfThePathTracerIsOneAtLeast) {
 
 /// The same room by gathering from surface cells, under density control and with gathers shared among pixels.
 TEST_F(ErrorSlopes, SlowOfTheDefaultImageDoesNotStall) {
-  StabilityCase listed(35, "gathering from cells in a glowing room, 4 to 64 passes", "MSE falls at least as passes^(-2/3 + 0.1)");
+  StabilityCase listed(35, "gathering from cells in a glowing room, 4 to 64 passes",
+                       "MSE falls at least as passes^(-2/3 + 0.1)");
   RenderJob job = makeJob(Integrator::photon, 1);
   job.maxDepth = 40;
   job.filtersIndirect = true;

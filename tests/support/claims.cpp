@@ -35,7 +35,8 @@ std::string describe(const Moments& m) {
 }  // namespace
 
 ::testing::AssertionResult isWithin(double margin, const Moments& values, double expected) {
-  return judge(equivalenceTest(values, expected, margin), fmt::format("{}, expected {:.6g}", describe(values), expected));
+  return judge(equivalenceTest(values, expected, margin),
+               fmt::format("{}, expected {:.6g}", describe(values), expected));
 }
 
 ::testing::AssertionResult areWithin(double margin, const Moments& a, const Moments& b) {

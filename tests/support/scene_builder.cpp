@@ -89,8 +89,8 @@ void SceneBuilder::triangle(uint material, const glm::dvec3& a, const glm::dvec3
   triangles_.push_back({first, first + 1, first + 2, material});
 }
 
-void SceneBuilder::quad(uint material, const glm::dvec3& corner, const glm::dvec3& edgeU,
-                        const glm::dvec3& edgeV, int columns, int rows) {
+void SceneBuilder::quad(uint material, const glm::dvec3& corner, const glm::dvec3& edgeU, const glm::dvec3& edgeV,
+                        int columns, int rows) {
   assert(material < materials_.size() && columns > 0 && rows > 0);
   const auto first = static_cast<uint>(positions_.size());
   for (int j = 0; j <= rows; ++j) {
@@ -109,8 +109,7 @@ void SceneBuilder::quad(uint material, const glm::dvec3& corner, const glm::dvec
   }
 }
 
-void SceneBuilder::square(uint material, const glm::dvec3& center, const glm::dvec3& normal, double side,
-                          int cells) {
+void SceneBuilder::square(uint material, const glm::dvec3& center, const glm::dvec3& normal, double side, int cells) {
   glm::dvec3 tangent, bitangent;
   tangentFrame(glm::normalize(normal), tangent, bitangent);
   quad(material, center - 0.5 * side * (tangent + bitangent), side * tangent, side * bitangent, cells, cells);
@@ -167,8 +166,7 @@ void SceneBuilder::uvSphere(uint material, const glm::dvec3& center, double radi
       const glm::dvec3 direction(sine * std::cos(phi), isPole ? 1.0 - 2.0 * (j != 0) : std::cos(theta),
                                  sine * std::sin(phi));
       vertex(center + radius * direction, shading == Shading::smooth ? side * direction : glm::dvec3(0.0),
-             {static_cast<float>(i) / static_cast<float>(segments),
-              static_cast<float>(j) / static_cast<float>(rings)});
+             {static_cast<float>(i) / static_cast<float>(segments), static_cast<float>(j) / static_cast<float>(rings)});
     }
   }
   const auto width = static_cast<uint>(segments + 1), last = static_cast<uint>(rings - 1);
@@ -181,8 +179,8 @@ void SceneBuilder::uvSphere(uint material, const glm::dvec3& center, double radi
   }
 }
 
-void SceneBuilder::icosphere(uint material, const glm::dvec3& center, double radius, int subdivisions,
-                             Facing facing, Shading shading) {
+void SceneBuilder::icosphere(uint material, const glm::dvec3& center, double radius, int subdivisions, Facing facing,
+                             Shading shading) {
   assert(material < materials_.size() && subdivisions >= 0);
   std::vector<glm::dvec3> directions;
   for (const glm::dvec3& corner : icosahedronCorners()) directions.push_back(glm::normalize(corner));
@@ -229,8 +227,8 @@ void SceneBuilder::directionalLight(const glm::dvec3& direction, const vec3& irr
 
 void SceneBuilder::environment(const vec3& radiance) { environment_ = EnvironmentMap{1, 1, {radiance}}; }
 
-void SceneBuilder::camera(const glm::dvec3& position, const glm::dvec3& target, double yfov, int width,
-                          int height, const glm::dvec3& up) {
+void SceneBuilder::camera(const glm::dvec3& position, const glm::dvec3& target, double yfov, int width, int height,
+                          const glm::dvec3& up) {
   const glm::dvec3 back = glm::normalize(position - target);
   const glm::dvec3 right = glm::normalize(glm::cross(up, back));
   Camera camera;
@@ -239,8 +237,8 @@ void SceneBuilder::camera(const glm::dvec3& position, const glm::dvec3& target, 
   camera.aspectRatio = static_cast<double>(width) / height;
   camera.width = width;
   camera.height = height;
-  camera.worldFromCamera = glm::dmat4(glm::dvec4(right, 0), glm::dvec4(glm::cross(back, right), 0),
-                                      glm::dvec4(back, 0), glm::dvec4(position, 1));
+  camera.worldFromCamera = glm::dmat4(glm::dvec4(right, 0), glm::dvec4(glm::cross(back, right), 0), glm::dvec4(back, 0),
+                                      glm::dvec4(position, 1));
   cameras_.push_back(camera);
 }
 

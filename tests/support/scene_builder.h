@@ -16,8 +16,7 @@ enum class Shading { flat, smooth };
 /// Materials. Each function gives a complete Material; SceneBuilder::material adds it.
 [[nodiscard]] Material diffuse(const vec3& albedo);  // exactly Lambertian: no specular lobe
 /// A black emitter of `radiance` W/(m² sr), or one that also reflects `albedo`.
-[[nodiscard]] Material emitter(const vec3& radiance, bool isDoubleSided = false,
-                               const vec3& albedo = vec3(0.0f));
+[[nodiscard]] Material emitter(const vec3& radiance, bool isDoubleSided = false, const vec3& albedo = vec3(0.0f));
 [[nodiscard]] Material mirror(const vec3& reflectance = vec3(1.0f));  // a smooth metal
 [[nodiscard]] Material metal(const vec3& reflectance, float roughness);
 /// A smooth interface of a solid; `absorption` in 1/m.
@@ -34,8 +33,8 @@ class SceneBuilder {
 
   void triangle(uint material, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
   /// A parallelogram of columns x rows cells of two triangles, facing edgeU x edgeV; uv runs over [0, 1]².
-  void quad(uint material, const glm::dvec3& corner, const glm::dvec3& edgeU, const glm::dvec3& edgeV,
-            int columns = 1, int rows = 1);
+  void quad(uint material, const glm::dvec3& corner, const glm::dvec3& edgeU, const glm::dvec3& edgeV, int columns = 1,
+            int rows = 1);
   /// A square in the plane through `center`, facing `normal`.
   void square(uint material, const glm::dvec3& center, const glm::dvec3& normal, double side, int cells = 1);
   /// A regular polygon of `segments` corners on the circle: its area is segments/2 sin(2π/segments) radius².

@@ -1,15 +1,14 @@
 #include "support/statistics.h"
 
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
-
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/students_t.hpp>
 
 namespace importon::test {
 namespace {
@@ -72,7 +71,8 @@ void requireTwo(const Moments& values) {
 
 /// Degrees of freedom of a sum of two means with the variances va and vb [Satterthwaite 1946].
 double satterthwaite(double va, std::int64_t countA, double vb, std::int64_t countB) {
-  return (va + vb) * (va + vb) / (va * va / static_cast<double>(countA - 1) + vb * vb / static_cast<double>(countB - 1));
+  return (va + vb) * (va + vb) /
+         (va * va / static_cast<double>(countA - 1) + vb * vb / static_cast<double>(countB - 1));
 }
 
 Equivalence equivalenceOf(double ratio, double standardError, double degreesOfFreedom, double margin) {
@@ -136,8 +136,8 @@ Moments ratiosOf(std::span<const double> a, std::span<const double> b) {
   return moments;
 }
 
-TestResult chiSquareTest(std::span<const double> observed, std::span<const double> expected,
-                         int fittedParameters, double leastExpected) {
+TestResult chiSquareTest(std::span<const double> observed, std::span<const double> expected, int fittedParameters,
+                         double leastExpected) {
   requireComparable(observed, expected);
   std::vector<Cell> cells;
   for (std::size_t i = 0; i < observed.size(); ++i) {
@@ -187,8 +187,8 @@ TestResult welchTest(const Moments& a, const Moments& b) {
   return {t, degreesOfFreedom, twoSidedStudent(t, degreesOfFreedom)};
 }
 
-/// Averaged over the standard errors that such samples may show, whose ratio to the true one has the density of a chi over
-/// the root of its degrees of freedom.
+/// Averaged over the standard errors that such samples may show, whose ratio to the true one has the density of a chi
+/// over the root of its degrees of freedom.
 double Equivalence::power(double significance) const {
   if (standardError == 0) return 1;
   const double atEquality = margin / standardError, point = studentPoint(significance, degreesOfFreedom);
@@ -225,7 +225,8 @@ Equivalence equivalenceTest(const Moments& a, const Moments& b, double margin) {
 }
 
 double studentPoint(double significance, double degreesOfFreedom) {
-  if (!(significance > 0 && significance < 0.5)) throw std::invalid_argument("studentPoint: needs 0 < significance < 0.5");
+  if (!(significance > 0 && significance < 0.5))
+    throw std::invalid_argument("studentPoint: needs 0 < significance < 0.5");
   return boost::math::quantile(boost::math::complement(boost::math::students_t(degreesOfFreedom), significance));
 }
 

@@ -65,8 +65,8 @@ struct Equivalence {
   double standardError = 0;  // of the ratio
   double degreesOfFreedom = 0;
   double margin = 0;
-  double pValue = 1;  // the greater one: probability of a result that speaks so well for equality if the ratio is off by
-                      // the margin
+  double pValue = 1;  // the greater one: probability of a result that speaks so well for equality if the ratio is off
+                      // by the margin
   /// Probability that a test with this standard error gives a p-value of at most `significance` if the ratio is 1.
   [[nodiscard]] double power(double significance) const;
 };

@@ -13,11 +13,10 @@ Material plain(const vec3& baseColor) {
   material.ior = 1.5f;
   material.normalScale = 1.0f;
   material.alphaCutoff = 0.5f;
-  for (uint* texture :
-       {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-        &material.emissiveTexture, &material.transmissionTexture, &material.specularTexture,
-        &material.specularColorTexture, &material.clearcoatTexture, &material.clearcoatRoughnessTexture,
-        &material.clearcoatNormalTexture}) {
+  for (uint* texture : {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
+                        &material.emissiveTexture, &material.transmissionTexture, &material.specularTexture,
+                        &material.specularColorTexture, &material.clearcoatTexture, &material.clearcoatRoughnessTexture,
+                        &material.clearcoatNormalTexture}) {
     *texture = kNone;
   }
   return material;

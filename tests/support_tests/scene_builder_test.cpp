@@ -232,9 +232,7 @@ TEST(SceneBuilder, RotationTurnsNormalsAndCamera) {
   for (int c = 0; c < 4; ++c) EXPECT_LT(glm::length(turned.cameras[0].worldFromCamera[c] - expected[c]), 1e-12);
 }
 
-TEST(SceneBuilder, RefusesAnEmptyScene) {
-  EXPECT_THROW(static_cast<void>(SceneBuilder().finish()), std::logic_error);
-}
+TEST(SceneBuilder, RefusesAnEmptyScene) { EXPECT_THROW(static_cast<void>(SceneBuilder().finish()), std::logic_error); }
 
 TEST(SceneBuilder, SolidGlassAndThinGlassDifferInTheirFlag) {
   EXPECT_EQ(glass(1.33f).flags & kMaterialSolid, kMaterialSolid);

@@ -178,8 +178,7 @@ TEST(WelchTest, RejectsEqualMeansOfUnequalSpreadAsOftenAsItsSignificanceSays) {
   int rejected = 0;
   for (int run = 0; run < kRuns; ++run) {
     Moments wide, narrow;
-    for (int i = 0; i < 10; ++i)
-      wide.add(10.0 * (uniform(generator) + uniform(generator) + uniform(generator)));
+    for (int i = 0; i < 10; ++i) wide.add(10.0 * (uniform(generator) + uniform(generator) + uniform(generator)));
     for (int i = 0; i < 60; ++i) narrow.add(15.0 + (uniform(generator) - uniform(generator)));
     rejected += welchTest(wide, narrow).pValue < 0.05;
   }

@@ -13,7 +13,8 @@ constexpr std::size_t kPixels = kWidth * kHeight;
 constexpr std::uint64_t kSamples = 8;  // in each half
 
 /// Pixels of radiance 1, of no variance but for `noisy` ones.
-std::vector<FilmPixel> filmOf(const std::function<bool(std::size_t)>& noisyInEven, const std::function<bool(std::size_t)>& noisyInOdd) {
+std::vector<FilmPixel> filmOf(const std::function<bool(std::size_t)>& noisyInEven,
+                              const std::function<bool(std::size_t)>& noisyInOdd) {
   std::vector<FilmPixel> halves(2 * kPixels);
   for (std::size_t i = 0; i < halves.size(); ++i) {
     const bool isNoisy = i < kPixels ? noisyInEven(i) : noisyInOdd(i - kPixels);
@@ -53,7 +54,8 @@ TEST(AdaptiveSampler, GivesNoisyPixelsMoreAndOthersTheirQuarter) {
 TEST(AdaptiveSampler, OfAHalfDependsOnTheOtherHalfAlone) {
   AdaptiveSampler sampler(kWidth, kPixels);
   sampler.learn(filmOf(isOnTheLeft, isNowhere), kSamples, kSamples, 1);
-  for (const uint paths : pathsOf(sampler.distribute(4, 4, 0, kPixels))) EXPECT_NEAR(paths, 4, 1) << "even passes saw noise, odd ones none";
+  for (const uint paths : pathsOf(sampler.distribute(4, 4, 0, kPixels)))
+    EXPECT_NEAR(paths, 4, 1) << "even passes saw noise, odd ones none";
   EXPECT_GT(pathsOf(sampler.distribute(5, 4, 0, kPixels))[0], 8u);
 }
 
@@ -93,8 +95,10 @@ TEST(AdaptiveSampler, NumbersThePathsOfAPixelOneAfterTheOther) {
 TEST(AdaptiveSampler, TakesNoisyIndirectLightAtItsShare) {
   std::vector<FilmPixel> film = filmOf(isNowhere, isNowhere);
   for (std::size_t i = 0; i < film.size(); ++i)
-    if (isOnTheLeft(i % kPixels)) film[i].square = vec3(3 * static_cast<float>(kSamples));
-    else film[i].square = vec3(2 * static_cast<float>(kSamples)), film[i].foundSquare = 2 * static_cast<float>(kSamples);
+    if (isOnTheLeft(i % kPixels))
+      film[i].square = vec3(3 * static_cast<float>(kSamples));
+    else
+      film[i].square = vec3(2 * static_cast<float>(kSamples)), film[i].foundSquare = 2 * static_cast<float>(kSamples);
   AdaptiveSampler whole(kWidth, kPixels), small(kWidth, kPixels);
   whole.learn(film, kSamples, kSamples, 1);
   small.learn(film, kSamples, kSamples, 1.0f / 16);

@@ -1,5 +1,4 @@
 #include "app/command_line.h"
-#include "app/converge_options.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +6,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "app/converge_options.h"
 #include "base/error.h"
 #include "render/options/gather_source.h"
 #include "render/options/option_table.h"
@@ -77,7 +77,8 @@ TEST(CommandLine, TalkSetsWhatIsNotGiven) {
 TEST(CommandLine, OptionsAboutPhotonsMakeGatherRaysReadThem) {
   EXPECT_EQ(gatherSource(parseRender("a.gltf -o o.exr").job), GatherSource::cells);
   EXPECT_EQ(gatherSource(parseRender("a.gltf -o o.exr --control density").job), GatherSource::cells);
-  EXPECT_EQ(gatherSource(parseRender("a.gltf -o o.exr --gather-from cells --lookup-photons 9").job), GatherSource::cells);
+  EXPECT_EQ(gatherSource(parseRender("a.gltf -o o.exr --gather-from cells --lookup-photons 9").job),
+            GatherSource::cells);
   EXPECT_EQ(gatherSource(parseRender("a.gltf -o o.exr --gather-from photons").job), GatherSource::photons);
   for (const std::string option :
        {"--control off", "--control probability", "--redistribute 4", "--lookup radius", "--lookup nearest",
@@ -91,16 +92,19 @@ TEST(CommandLine, OptionsAboutPhotonsMakeGatherRaysReadThem) {
 }
 
 TEST(CommandLine, CollectsWhatThePathTracerHasNoUseFor) {
-  const RenderCommand command = parseRender("a.gltf -o o.exr --integrator path --photons 9 --guide-by deficit --quota 9 "
-                                            "--redistribute 2 --gather 4 --seed 1");
+  const RenderCommand command = parseRender(
+      "a.gltf -o o.exr --integrator path --photons 9 --guide-by deficit --quota 9 "
+      "--redistribute 2 --gather 4 --seed 1");
   EXPECT_EQ(command.photonOptions, (std::vector<std::string>{"--photons", "--guide-by", "--redistribute", "--quota"}));
   EXPECT_TRUE(parseRender("a.gltf -o o.exr --integrator path --max-depth 3").photonOptions.empty());
 }
 
 TEST(CommandLine, OptionsOfTheQuotaNeedReceivers) {
-  for (const std::string option : {"--acceptance cosine", "--shares distance", "--quota 20", "--density-limits program"})
+  for (const std::string option :
+       {"--acceptance cosine", "--shares distance", "--quota 20", "--density-limits program"})
     EXPECT_NE(refusal("a.gltf -o o.exr " + option).find("needs --redistribute"), std::string::npos) << option;
-  const RenderJob job = parseRender("a.gltf -o o.exr --redistribute 8 --acceptance cosine --shares direction --quota 20").job;
+  const RenderJob job =
+      parseRender("a.gltf -o o.exr --redistribute 8 --acceptance cosine --shares direction --quota 20").job;
   EXPECT_EQ(job.acceptance, Acceptance::cosine);
   EXPECT_EQ(job.shares, PowerShares::direction);
   EXPECT_EQ(job.quota, 20);
@@ -168,8 +172,8 @@ TEST(CommandLine, TakesTheGreatestSeed) {
 }
 
 TEST(CommandLine, ComparesAndInforms) {
-  const auto compare = std::get<CompareCommand>(
-      parse("compare a.exr r.exr --json --max-relmse 0.1 --max-flip 0.2 --floor 0.01"));
+  const auto compare =
+      std::get<CompareCommand>(parse("compare a.exr r.exr --json --max-relmse 0.1 --max-flip 0.2 --floor 0.01"));
   EXPECT_EQ(compare.image, "a.exr");
   EXPECT_EQ(compare.reference, "r.exr");
   EXPECT_TRUE(compare.isJson);
@@ -189,8 +193,9 @@ TEST(CommandLine, Merges) {
 }
 
 TEST(CommandLine, ConvergesWithConfigurations) {
-  auto arguments = words("converge s.gltf --reference r.exr -o dir --configs path,uncontrolled --times 4,1,2.5 "
-                         "--seeds 5 --width 64 --height 48 --reference-error 0.001");
+  auto arguments = words(
+      "converge s.gltf --reference r.exr -o dir --configs path,uncontrolled --times 4,1,2.5 "
+      "--seeds 5 --width 64 --height 48 --reference-error 0.001");
   arguments.insert(arguments.end(), {"--config", "many rays=--gather 8 --photons 1000"});
   const auto converge = std::get<ConvergeCommand>(parseCommandLine(arguments));
   EXPECT_EQ(converge.scene, "s.gltf");
@@ -241,9 +246,8 @@ TEST(CommandLine, RefusesWhatItDoesNotKnow) {
 }
 
 TEST(CommandLine, RefusesNumbersOutOfRange) {
-  EXPECT_EQ(
-      refusal("s.gltf -o o.exr --width 0"),
-      "--width: \"0\" is not a whole number from 1 to 65536 pixels (command line): see importon render --help");
+  EXPECT_EQ(refusal("s.gltf -o o.exr --width 0"),
+            "--width: \"0\" is not a whole number from 1 to 65536 pixels (command line): see importon render --help");
   for (const char* bad : {"--width -1",
                           "--width 1e3",
                           "--width 1.5",
@@ -270,13 +274,11 @@ TEST(CommandLine, RefusesNumbersOutOfRange) {
                           "--seed 4294967296",
                           "--threads 0",
                           "--memory 0"}) {
-    EXPECT_NE(refusal("s.gltf -o o.exr " + std::string(bad)).find("see importon render --help"),
-              std::string::npos)
+    EXPECT_NE(refusal("s.gltf -o o.exr " + std::string(bad)).find("see importon render --help"), std::string::npos)
         << bad;
   }
   for (const char* bad : {"--max-relmse -1", "--max-flip nan", "--floor x"}) {
-    EXPECT_NE(refusal("compare a.exr r.exr " + std::string(bad)).find("see importon compare"),
-              std::string::npos)
+    EXPECT_NE(refusal("compare a.exr r.exr " + std::string(bad)).find("see importon compare"), std::string::npos)
         << bad;
   }
 }
@@ -300,25 +302,14 @@ TEST(CommandLine, RefusesContradictions) {
 TEST(CommandLine, RefusesEmptyNames) {
   EXPECT_THROW((void)parseCommandLine(std::vector<std::string>{"", "-o", "o.exr"}), UsageError);
   EXPECT_THROW((void)parseCommandLine(std::vector<std::string>{"s.gltf", "-o", ""}), UsageError);
-  EXPECT_THROW((void)parseCommandLine(std::vector<std::string>{"s.gltf", "-o", "o.exr", "--aov", ""}),
-               UsageError);
+  EXPECT_THROW((void)parseCommandLine(std::vector<std::string>{"s.gltf", "-o", "o.exr", "--aov", ""}), UsageError);
 }
 
 TEST(CommandLine, HelpNamesEveryCommandAndOption) {
   const std::string help = std::get<TextCommand>(parse("--help-all")).text;
   for (const OptionRow& row : optionTable()) EXPECT_NE(help.find(row.name()), std::string::npos) << row.name();
-  for (const char* name : {"render",
-                           "info",
-                           "compare",
-                           "devices",
-                           "--quiet",
-                           "--verbose",
-                           "--talk",
-                           "--max-relmse",
-                           "--max-flip",
-                           "--floor",
-                           "--json",
-                           "Exit status"}) {
+  for (const char* name : {"render", "info", "compare", "devices", "--quiet", "--verbose", "--talk", "--max-relmse",
+                           "--max-flip", "--floor", "--json", "Exit status"}) {
     EXPECT_NE(help.find(name), std::string::npos) << name;
   }
 }
@@ -333,15 +324,12 @@ TEST(CommandLine, HelpOfRenderIsOneScreen) {
 }
 
 TEST(CommandLine, HelpFollowsAnyArguments) {
-  for (const char* line :
-       {"-h", "render -h", "s.gltf --help", "info --help", "compare a.exr --help", "devices -h"}) {
+  for (const char* line : {"-h", "render -h", "s.gltf --help", "info --help", "compare a.exr --help", "devices -h"}) {
     EXPECT_NE(std::get<TextCommand>(parse(line)).text.find("Usage"), std::string::npos) << line;
   }
 }
 
-TEST(CommandLine, TellsItsVersion) {
-  EXPECT_EQ(std::get<TextCommand>(parse("--version")).text.find("importon "), 0u);
-}
+TEST(CommandLine, TellsItsVersion) { EXPECT_EQ(std::get<TextCommand>(parse("--version")).text.find("importon "), 0u); }
 
 }  // namespace
 }  // namespace importon

@@ -45,8 +45,8 @@ void writeAs(const std::string& file, Imf::PixelType type, Imf::Compression comp
   for (std::size_t c = 0; c < 3; ++c) {
     planes[c] = valuesOf<Value>(c);
     header.channels().insert(kNames[c], Imf::Channel(type));
-    frameBuffer.insert(kNames[c], Imf::Slice(type, reinterpret_cast<char*>(planes[c].data()), sizeof(Value),
-                                             sizeof(Value) * kWidth));
+    frameBuffer.insert(
+        kNames[c], Imf::Slice(type, reinterpret_cast<char*>(planes[c].data()), sizeof(Value), sizeof(Value) * kWidth));
   }
   if (isTiled) {
     header.setTileDescription(Imf::TileDescription(16, 8, Imf::MIPMAP_LEVELS));
@@ -135,7 +135,8 @@ TEST(ExrVariants, LuminanceWithSubsampledChromaBecomesRgb) {
 
 /// Two parts of one size and a smaller one.
 void writeParts(const std::string& file) {
-  std::vector<Imf::Header> headers{Imf::Header(4, 2), Imf::Header(4, 2), Imf::Header(Imath::Box2i({0, 0}, {3, 1}), Imath::Box2i({0, 0}, {1, 1}))};
+  std::vector<Imf::Header> headers{Imf::Header(4, 2), Imf::Header(4, 2),
+                                   Imf::Header(Imath::Box2i({0, 0}, {3, 1}), Imath::Box2i({0, 0}, {1, 1}))};
   const std::array<const char*, 3> names{"beauty", "diffuse", "proxy"};
   for (std::size_t part = 0; part < headers.size(); ++part) {
     headers[part].setName(names[part]);

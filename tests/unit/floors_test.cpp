@@ -35,8 +35,9 @@ const std::map<std::string, Folders> kMayInclude{
 
 // The folders of src/render, lowest first: each may include those before it. The files beside them stand above all but
 // what is plain data.
-const std::vector<std::string> kRenderFloors{"options", "features", "plan",    "resume",  "device_scene",  "device", "lists",
-                                             "importance", "photon_map", "guiding", "photons", "surface_cache", "film",   "camera"};
+const std::vector<std::string> kRenderFloors{"options", "features",      "plan",       "resume",     "device_scene",
+                                             "device",  "lists",         "importance", "photon_map", "guiding",
+                                             "photons", "surface_cache", "film",       "camera"};
 const std::set<std::string> kRenderData{"render_job.h", "render_stats.h", "map_kind.h"};
 
 struct Include {
@@ -89,8 +90,10 @@ std::vector<std::string> breaches(const std::vector<Include>& includes) {
     const auto rule = kMayInclude.find(from);
     const bool isOurs = kMayInclude.contains(to) && !to.empty();
     const bool isVulkan = to == "vulkan";
-    const bool isUpInRender = from == "render" && to == "render" && renderFloor(include.file) < renderFloor(include.target);
-    const bool isForbidden = isVulkan ? from != "gpu" : isUpInRender || (isOurs && to != from && !rule->second.contains(to));
+    const bool isUpInRender =
+        from == "render" && to == "render" && renderFloor(include.file) < renderFloor(include.target);
+    const bool isForbidden =
+        isVulkan ? from != "gpu" : isUpInRender || (isOurs && to != from && !rule->second.contains(to));
     if (rule == kMayInclude.end() || isForbidden) {
       found.push_back(include.file.string() + " includes " + include.target);
     }
@@ -115,16 +118,14 @@ TEST(Floors, TheCheckFindsBreaches) {
   EXPECT_EQ(breaches({{"render/film/film.cpp", "render/renderer.h"}}).size(), 1u);
   EXPECT_EQ(breaches({{"render/film/film.cpp", "render/render_job.h"}}).size(), 0u);
   EXPECT_EQ(
-      breaches({{"gpu/device.cpp", "vulkan/vulkan.h"}, {"app/run.cpp", "app/run.h"}, {"io/a.cpp", "vector"}})
-          .size(),
+      breaches({{"gpu/device.cpp", "vulkan/vulkan.h"}, {"app/run.cpp", "app/run.h"}, {"io/a.cpp", "vector"}}).size(),
       0u);
 }
 
 TEST(Floors, TheCheckReadsIncludes) {
   const test::TemporaryFolder folder;
   fs::create_directory(folder / "io");
-  test::writeFile(folder / "io/a.cpp",
-                  "#include \"base/log.h\"\n  #  include <vulkan/vulkan.h>\n// #include <no>\n");
+  test::writeFile(folder / "io/a.cpp", "#include \"base/log.h\"\n  #  include <vulkan/vulkan.h>\n// #include <no>\n");
   const std::vector<Include> includes = includesOf(folder.path());
   ASSERT_EQ(includes.size(), 2u);
   EXPECT_EQ(includes[0].target, "base/log.h");

@@ -24,7 +24,8 @@ std::string errorOf(const std::filesystem::path& file) {
 
 TEST(HostileExr, WhatTheFuzzerFoundIsRefused) {
   int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(IMPORTON_SOURCES) / "tests/data/hostile")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(IMPORTON_SOURCES) / "tests/data/hostile")) {
     if (entry.path().extension() != ".exr") continue;
     ++files;
     EXPECT_NE(errorOf(entry.path()), "") << entry.path();

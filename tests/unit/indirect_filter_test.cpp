@@ -19,7 +19,8 @@ struct Seen {
   float irradiance, albedo;
 };
 
-/// Both halves of a film of four paths per pixel, each of which gathers; irradiance with noise of relative size `noise`.
+/// Both halves of a film of four paths per pixel, each of which gathers; irradiance with noise of relative size
+/// `noise`.
 std::vector<FilmPixel> filmOf(const std::function<Seen(int x, int y)>& seen, float noise) {
   std::mt19937 random(7);
   std::normal_distribution<float> gauss;
@@ -39,7 +40,8 @@ std::vector<FilmPixel> filmOf(const std::function<Seen(int x, int y)>& seen, flo
 Seen onFloor(int x, int y) { return {vec3(x, 0, y), vec3(0, 1, 0), 1, (x / 3 + y / 3) % 2 == 0 ? 0.2f : 0.8f}; }
 
 /// Of the image of both halves over irradiance 1, root mean square over pixels that `counts`.
-double errorOf(const FilteredIndirect& image, const std::function<Seen(int, int)>& seen, const std::function<bool(int, int)>& counts) {
+double errorOf(const FilteredIndirect& image, const std::function<Seen(int, int)>& seen,
+               const std::function<bool(int, int)>& counts) {
   double sum = 0, n = 0;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
@@ -74,7 +76,8 @@ TEST(IndirectFilter, SharesNothingBetweenSurfaces) {
   // A floor, a wall that leans by 30 degrees, and a floor below: each of an irradiance of its own.
   const auto scene = [](int x, int y) {
     Seen s = onFloor(x, y);
-    if (x >= 20) s = {vec3(x, 0.577f * static_cast<float>(x - 20), y), glm::normalize(vec3(-0.577f, 1, 0)), 3, s.albedo};
+    if (x >= 20)
+      s = {vec3(x, 0.577f * static_cast<float>(x - 20), y), glm::normalize(vec3(-0.577f, 1, 0)), 3, s.albedo};
     if (x >= 35) s = {vec3(x, -20, y), vec3(0, 1, 0), 9, s.albedo};
     return s;
   };
@@ -166,7 +169,8 @@ TEST(IndirectFilter, PixelsWithoutGathersKeepTheirLight) {
 
 TEST(IndirectFilter, GivesTheSameBitsOnAnyNumberOfThreads) {
   const std::vector<FilmPixel> film = filmOf(onFloor, 0.3f);
-  const FilteredIndirect one = filterIndirect(film, kWidth, kFourPaths, 1), three = filterIndirect(film, kWidth, kFourPaths, 3);
+  const FilteredIndirect one = filterIndirect(film, kWidth, kFourPaths, 1),
+                         three = filterIndirect(film, kWidth, kFourPaths, 3);
   EXPECT_EQ(one.even, three.even);
   EXPECT_EQ(one.odd, three.odd);
 }

@@ -25,8 +25,7 @@ std::vector<float> colorOf(const Image& image, const std::string& layer = "") {
 }
 
 TEST(Layers, TakesThePlainColorBeforeAnyLayer) {
-  EXPECT_EQ(colorOf(withChannels({"R", "G", "B", "albedo.R", "albedo.G", "albedo.B"})),
-            (std::vector<float>{1, 2, 3}));
+  EXPECT_EQ(colorOf(withChannels({"R", "G", "B", "albedo.R", "albedo.G", "albedo.B"})), (std::vector<float>{1, 2, 3}));
 }
 
 TEST(Layers, TakesTheOnlyLayerWithAColor) {
@@ -54,9 +53,7 @@ TEST(Layers, RefusesToGuessAmongSeveral) {
   }
 }
 
-TEST(Layers, RefusesWhatHasNoColor) {
-  EXPECT_THROW((void)takeColor(withChannels({"Z"}), "", "a.exr"), SceneError);
-}
+TEST(Layers, RefusesWhatHasNoColor) { EXPECT_THROW((void)takeColor(withChannels({"Z"}), "", "a.exr"), SceneError); }
 
 }  // namespace
 }  // namespace importon

@@ -12,7 +12,8 @@ std::vector<LightPoint> lightWith(float caustic) {
   constexpr float kEven = 1.0f / (kSide * kSide);
   std::vector<LightPoint> points;
   for (int i = 0; i < kSide * kSide; ++i) {
-    const vec3 place((static_cast<float>(i % kSide) + 0.5f) / kSide, 0.0f, (static_cast<float>(i / kSide) + 0.5f) / kSide);
+    const vec3 place((static_cast<float>(i % kSide) + 0.5f) / kSide, 0.0f,
+                     (static_cast<float>(i / kSide) + 0.5f) / kSide);
     points.push_back({place, kEven, false});
     if (place.x > 0.5f) continue;
     points.push_back({place, 2 * caustic * kEven, false});

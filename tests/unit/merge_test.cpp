@@ -13,8 +13,8 @@ namespace {
 /// Two pixels of one value in R, twice that in the variance.
 Image run(const std::string& seed, const std::string& passes, float value, const std::string& job = "a1") {
   Image image{2, 1, {{"R", {value, value}}, {"variance.R", {2 * value, 2 * value}}, {"error.R", {value, value}}}, {}};
-  image.attributes = {{"importon:job", job}, {"importon:seed", seed}, {"importon:passes", passes},
-                      {"importon:scene", "room.gltf"}};
+  image.attributes = {
+      {"importon:job", job}, {"importon:seed", seed}, {"importon:passes", passes}, {"importon:scene", "room.gltf"}};
   return image;
 }
 

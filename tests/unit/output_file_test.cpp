@@ -78,9 +78,8 @@ TEST(OutputFile, ReportsAFullDisk) {
     writeTextFile("/dev/full", "text");
     FAIL() << "no error";
   } catch (const OutputError& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "cannot write: No space left on device (/dev/full): free some space, or choose another folder");
+    EXPECT_STREQ(error.what(),
+                 "cannot write: No space left on device (/dev/full): free some space, or choose another folder");
   }
 }
 

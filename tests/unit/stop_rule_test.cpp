@@ -117,13 +117,9 @@ TEST(StopRule, MakesWholePassesWhereTheyAreCounted) {
   EXPECT_EQ(play(job, 1 << 20, 3, 0, rootError).parts, std::vector<int>(3, kPartsOfPass));
 }
 
-TEST(StopRule, MakesOnePassEvenWithoutTime) {
-  EXPECT_EQ(play(jobOf({}, 0.1, {}), 1 << 20, 3, 1, rootError).passes, 1);
-}
+TEST(StopRule, MakesOnePassEvenWithoutTime) { EXPECT_EQ(play(jobOf({}, 0.1, {}), 1 << 20, 3, 1, rootError).passes, 1); }
 
-TEST(StopRule, GivesUpAtTheMostPasses) {
-  EXPECT_EQ(play(jobOf({}, {}, 1e-6), 50, 1, 1, rootError).passes, 50);
-}
+TEST(StopRule, GivesUpAtTheMostPasses) { EXPECT_EQ(play(jobOf({}, {}, 1e-6), 50, 1, 1, rootError).passes, 50); }
 
 TEST(StopRule, StopsAtWhicheverComesFirst) {
   EXPECT_LE(play(jobOf({}, 30, 1e-6), 1 << 20, 1, 0, rootError).seconds, 30);

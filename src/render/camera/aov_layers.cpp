@@ -8,9 +8,11 @@ namespace importon {
 namespace {
 
 /// Photons or importons within each pixel; 0 without a map.
-std::vector<float> countInPixels(PassContext& context, AovSource source, const PhotonSystem& system, std::span<const float> aovs) {
-  if (!system.map) return std::vector<float>(context.pixels());
-  if (source == AovSource::photons) return countPoints(system.map->readPoints(context.stage()), 1, context.parameters, aovs);
+std::vector<float> countInPixels(PassContext& context, AovSource source, const PhotonSystem& system,
+                                 std::span<const float> aovs) {
+  if (!system.map || !system.map->isFinished()) return std::vector<float>(context.pixels());
+  if (source == AovSource::photons)
+    return countPoints(system.map->readPoints(context.stage()), 1, context.parameters, aovs);
   return countPoints(system.importance.readPoints(), static_cast<float>(kImportonsPerSite), context.parameters, aovs);
 }
 

@@ -1,8 +1,8 @@
 #include "render/camera/camera_pass.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace importon {
 namespace {
@@ -22,7 +22,7 @@ void CameraPass::gather(int pass, const PassSums& before, const EyeMaps& maps) {
   const std::uint32_t samples = context_.now.samples;
   if (plan.isAdaptive && AdaptiveSampler::learnsBefore(pass))
     sampler_.learn(film_.download(), before.evenSamples, before.oddSamples,
-                      context_.job.filtersIndirect ? kFilteredShare : 1.0f);
+                   context_.job.filtersIndirect ? kFilteredShare : 1.0f);
   for (FilmTile& tile : film_.tiles()) {
     const auto trace = [&](const EyeSamples& some) {
       traceImage(context_.stage(), maps, some, tile.first, tile.count, context_.parameters.maxDepth, tile.pixels,
@@ -30,7 +30,8 @@ void CameraPass::gather(int pass, const PassSums& before, const EyeMaps& maps) {
     };
     if (sampler_.hasLearned()) {
       const std::vector<uvec2> firstPaths = sampler_.distribute(pass, samples, tile.first, tile.count);
-      tile.plan = gpu::makeBuffer(context_.device->context, "sample plan", std::span<const uvec2>(firstPaths), gpu::TexelFormat::uint2);
+      tile.plan = gpu::makeBuffer(context_.device->context, "sample plan", std::span<const uvec2>(firstPaths),
+                                  gpu::TexelFormat::uint2);
       const uint paths = firstPaths.back().x, most = tile.count * plan.samplesAtOnce;
       for (uint first = 0; first < paths; first += most) trace({first, std::min(most, paths - first), &tile.plan});
       continue;

@@ -42,7 +42,7 @@ void traceImage(const Stage& stage, const EyeMaps& maps, const EyeSamples& sampl
   if (isPlanned) table.set(kBindingSamplePlan, *samples.plan);
   const uint paths = isPlanned ? samples.count : count * samples.count;
   PathQueues queues = startQueues(stage, stage.kernels.eyeEmit, table,
-                              EyeEmitPush{first, paths, count, samples.first, 0, 0, isPlanned});
+                                  EyeEmitPush{first, paths, count, samples.first, 0, 0, isPlanned});
   for (uint depth = 0; depth <= maxDepth; ++depth) {
     table.set(kBindingQueue, *queues.now);
     overRays(stage, stage.kernels.traceClosest, table, queues.counter, TracePush{queues.counter});
@@ -59,7 +59,8 @@ void traceImage(const Stage& stage, const EyeMaps& maps, const EyeSamples& sampl
   }
   addCounter(stage, kCounterRaysClosest, kSumRaysClosest, true);
   table.set(kBindingFilm, film);
-  stage.recorder.dispatch(stage.kernels.filmAdd, table, count, FilmAddPush{count, samples.count, filmOffset, samples.first, isPlanned, paths});
+  stage.recorder.dispatch(stage.kernels.filmAdd, table, count,
+                          FilmAddPush{count, samples.count, filmOffset, samples.first, isPlanned, paths});
 }
 
 void traceAovs(const Stage& stage, const EyeMaps& maps, uint first, uint count, const gpu::Buffer& aov) {

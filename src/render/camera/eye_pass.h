@@ -9,12 +9,13 @@ struct EyeMaps {
   const ImportanceMap *causticImportance = nullptr, *globalImportance = nullptr;
   const PhotonMap* caustic = nullptr;
   const PhotonMap* global = nullptr;
-  bool hasCells = false;              // gather rays read the irradiance map that is bound
+  bool hasCells = false;  // gather rays read the irradiance map that is bound
 
   void see(MapKind kind, const PhotonMap& map) { (kind == MapKind::global ? global : caustic) = &map; }
 };
 
-/// Which paths of a pass: so many of each pixel; or, with a plan (render/film/adaptive_sampler.h), so many of all that it deals.
+/// Which paths of a pass: so many of each pixel; or, with a plan (render/film/adaptive_sampler.h), so many of all that
+/// it deals.
 struct EyeSamples {
   uint first = 0, count = 1;
   const gpu::Buffer* plan = nullptr;

@@ -6,10 +6,13 @@
 namespace importon {
 namespace {
 
-/// Mean of (a-b)² over what is seen there by the lookup with most photons, squared, with a hundredth of the mean square.
+/// Mean of (a-b)² over what is seen there by the lookup with most photons, squared, with a hundredth of the mean
+/// square.
 double relativeSquare(std::span<const float> a, std::span<const float> b, const LookupTrial& smooth) {
   double square = 0, mean = 0;
-  const auto seen = [&](std::size_t i) { return 0.5 * (static_cast<double>(smooth.a[i]) + static_cast<double>(smooth.b[i])); };
+  const auto seen = [&](std::size_t i) {
+    return 0.5 * (static_cast<double>(smooth.a[i]) + static_cast<double>(smooth.b[i]));
+  };
   for (std::size_t i = 0; i < a.size(); ++i) mean += seen(i);
   mean /= static_cast<double>(std::max<std::size_t>(a.size(), 1));
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -1,8 +1,8 @@
 #include "render/camera/lookup_trial.h"
 
-#include <array>
-
 #include <fmt/format.h>
+
+#include <array>
 
 #include "render/camera/lookup_choice.h"
 #include "render/photons/pilots.h"
@@ -41,7 +41,8 @@ void shootTrialMap(PassContext& context, PhotonSystem& system, MapSettings& sett
 }  // namespace
 
 void chooseLookups(PassContext& context, PhotonSystem& system, const CameraPass& camera, EyeMaps maps) {
-  if (!context.job.choosesLookups || !system.map || system.importance.count == 0 || context.now.photonsFor(system.kind) == 0)
+  if (!context.job.choosesLookups || !system.map || system.importance.count == 0 ||
+      context.now.photonsFor(system.kind) == 0)
     return;
   maps.see(system.kind, *system.map);
   MapSettings& settings = context.parameters.*traitsOf(system.kind).settings;

@@ -5,8 +5,8 @@
 
 namespace importon {
 
-/// Sets the number of photons in the settings of the system's map, if the job leaves it to be chosen. What is in the map
-/// is lost. `maps`: what the camera sees without it.
+/// Sets the number of photons in the settings of the system's map, if the job leaves it to be chosen. What is in the
+/// map is lost. `maps`: what the camera sees without it.
 void chooseLookups(PassContext& context, PhotonSystem& system, const CameraPass& camera, EyeMaps maps);
 
 }  // namespace importon

@@ -47,12 +47,17 @@ uint boundOf(const RenderJob& job) {
 }
 
 Entries listDifferentials(const RenderJob& job) {
-  return {{&KernelSet::importonDifferential, "importon footprint", "importon_differential", {{kSpecEyeMode, kEyeImportons}}},
+  return {{&KernelSet::importonDifferential,
+           "importon footprint",
+           "importon_differential",
+           {{kSpecEyeMode, kEyeImportons}}},
           {&KernelSet::importonBound, "importance bound", "importon_bound", {{kSpecImportanceBound, boundOf(job)}}}};
 }
 
 Entries listScatterGuide() {
-  return {{&KernelSet::photonScatterGuided, "scatter guided photon", "photon_scatter",
+  return {{&KernelSet::photonScatterGuided,
+           "scatter guided photon",
+           "photon_scatter",
            {{kSpecPhotonKind, kPhotonsGlobal}, {kSpecScatterIsGuided, 1}}},
           {&KernelSet::siteEmit, "importance leaves sites", "site_emit", {}},
           {&KernelSet::scatterLearn, "learn scattering", "scatter_learn", {}}};
@@ -88,17 +93,18 @@ Entries listPhotons() {
 
 /// Photons kept in a map, their density controlled by cells.
 Entries listMap(const RenderJob& job) {
-  return {{&KernelSet::causticScatter, "scatter caustic photon", "photon_scatter", {{kSpecPhotonKind, kPhotonsCaustic}}},
-          {&KernelSet::mapLookup, "map lookup", "map_lookup", {}},
-          {&KernelSet::cellFind, "find cell", "cell_find", {{kSpecIsDirectional, job.requiredBy == RequiredBy::direction}}},
-          {&KernelSet::cellClaim, "claim cell", "cell_claim", {}},
-          {&KernelSet::cellSettle, "settle cell", "cell_settle", {}},
-          {&KernelSet::cellAdd, "add to cell", "cell_add", {}},
-          {&KernelSet::cellMove, "move cells", "cell_move", {}},
-          {&KernelSet::photonKey, "photon key", "photon_key", {}},
-          {&KernelSet::photonStore, "store photons", "photon_store", {}},
-          {&KernelSet::photonResolve, "resolve map", "photon_resolve", {}},
-          {&KernelSet::fluxSum, "sum flux", "flux_sum", {}}};
+  return {
+      {&KernelSet::causticScatter, "scatter caustic photon", "photon_scatter", {{kSpecPhotonKind, kPhotonsCaustic}}},
+      {&KernelSet::mapLookup, "map lookup", "map_lookup", {}},
+      {&KernelSet::cellFind, "find cell", "cell_find", {{kSpecIsDirectional, job.requiredBy == RequiredBy::direction}}},
+      {&KernelSet::cellClaim, "claim cell", "cell_claim", {}},
+      {&KernelSet::cellSettle, "settle cell", "cell_settle", {}},
+      {&KernelSet::cellAdd, "add to cell", "cell_add", {}},
+      {&KernelSet::cellMove, "move cells", "cell_move", {}},
+      {&KernelSet::photonKey, "photon key", "photon_key", {}},
+      {&KernelSet::photonStore, "store photons", "photon_store", {}},
+      {&KernelSet::photonResolve, "resolve map", "photon_resolve", {}},
+      {&KernelSet::fluxSum, "sum flux", "flux_sum", {}}};
 }
 
 /// What only chosen settings or layers call for.

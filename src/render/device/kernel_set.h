@@ -13,14 +13,12 @@ struct KernelSet {
   gpu::Kernel eyeEmit, eyeScatter, eyeLight, mapLookup, filmAdd, aovSurface, aovMap;
   gpu::Kernel mapNearest, mapIrradiance, irradianceEstimate, aovAsk, aovAnswer;
   gpu::Kernel importonEmit, importonDifferential, importonBound, importonScatter, importonCount, importonLevel,
-      importonEntries, importonPoints,
-      importonDensity, importonKey, importonResolve;
+      importonEntries, importonPoints, importonDensity, importonKey, importonResolve;
   gpu::Kernel photonEmit, photonEmitGuided, photonScatter, causticScatter, guideLearn, irradianceAdd, aovCells, siteAsk;
   gpu::Kernel cellGroup, cellSmooth;
   gpu::Kernel photonScatterGuided, siteEmit, scatterLearn;  // where photons scatter by a guide
   gpu::Kernel recordSelect, hitCount, hitKey, photonQuota, photonStore, photonThin, pilotCount, photonKey,
-      photonEntries, photonEntryPoints,
-      photonRedistribute, photonResolve, fluxSum;
+      photonEntries, photonEntryPoints, photonRedistribute, photonResolve, fluxSum;
   gpu::Kernel cellFind, cellClaim, cellSettle, cellAdd, cellMove;
 };
 

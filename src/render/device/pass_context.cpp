@@ -1,9 +1,9 @@
 #include "render/device/pass_context.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <future>
-
-#include <fmt/format.h>
 
 #include "accel/bvh.h"
 #include "base/clock.h"
@@ -79,10 +79,12 @@ PassContext::PassContext(const RenderJob& j, const Scene& s, Log& l, RenderStats
       work(device->context, plan.workspace),
       recorder(device->context) {
   deviceScene.bind(work.table);
+  upload();  // layers of an image without a pass need them
 }
 
 float PassContext::meanImportance() const {
-  return static_cast<float>(parameters.width) * static_cast<float>(parameters.height) / static_cast<float>(deviceScene.area);
+  return static_cast<float>(parameters.width) * static_cast<float>(parameters.height) /
+         static_cast<float>(deviceScene.area);
 }
 
 void PassContext::setPass(int pass, const PassSums& before) {
@@ -90,7 +92,8 @@ void PassContext::setPass(int pass, const PassSums& before) {
   parameters.densityScale = std::cbrt(static_cast<float>(pass + 1));  // r² shrinks as its inverse
   parameters.firstSample = wordsOf(before.evenSamples + before.oddSamples);
   for (const MapKind kind : kMapKinds)
-    setPhotons(parameters.*traitsOf(kind).settings, now.photonsFor(kind), before.of(kind), parameters.pass < kCountingPasses);
+    setPhotons(parameters.*traitsOf(kind).settings, now.photonsFor(kind), before.of(kind),
+               parameters.pass < kCountingPasses);
 }
 
 void PassContext::begin() {

@@ -11,7 +11,8 @@
 namespace importon {
 
 struct PassContext {
-  /// Loads the device and uploads the scene. Job, scene, log and stats must last as long. Throws DeviceError, SceneError.
+  /// Loads the device and uploads the scene. Job, scene, log and stats must last as long. Throws DeviceError,
+  /// SceneError.
   PassContext(const RenderJob& job, const Scene& scene, Log& log, RenderStats& stats, const DeviceSource& source);
   PassContext(const PassContext&) = delete;
   PassContext& operator=(const PassContext&) = delete;
@@ -44,12 +45,15 @@ struct PassContext {
   /// The same for photons that are in no map, as if it were the first pass.
   void beginPilot();
 
-  void addKept(std::vector<Kept>& state) { if (hasMaps()) state.push_back(keep("lights seen", work.lightsSeen)); }
+  void addKept(std::vector<Kept>& state) {
+    if (hasMaps()) state.push_back(keep("lights seen", work.lightsSeen));
+  }
 
  private:
   struct Loaded;
   PassContext(const RenderJob& job, const Scene& scene, Log& log, RenderStats& stats, Loaded loaded);
-  static Loaded load(const RenderJob& job, const Scene& scene, Log& log, PhaseSeconds& seconds, const DeviceSource& source);
+  static Loaded load(const RenderJob& job, const Scene& scene, Log& log, PhaseSeconds& seconds,
+                     const DeviceSource& source);
 };
 
 }  // namespace importon

@@ -16,13 +16,13 @@ struct Workspace {
   gpu::Buffer rays, hits, shadowRays, shadowHits, shadowLight, paths, eyeVertices, pathLight, queueA, queueB;
   gpu::Buffer keep, blockSums, keysA, keysB, valuesA, valuesB;
   gpu::Buffer recordPoints, records, required, selection, selectedPoints, neighbours, accepted;
-  gpu::Buffer recordCells;  // of one item without cells
+  gpu::Buffer recordCells;                            // of one item without cells
   gpu::Buffer pathDifferentials, footprints, bounds;  // of one item without differentials
-  gpu::Buffer lightsSeen;  // two words per voxel: shaders/lib/light_voxel.glsl
-  gpu::Buffer noCells, noCellsOfTriangles;  // stands for an irradiance map where there is none
-  gpu::Buffer lookups;       // slots of paths that ask for a map lookup
-  gpu::Buffer noSamplePlan;  // stands for one where all pixels have as many paths
-  gpu::Buffer noGuide;  // stands for an emission guide where there is none
+  gpu::Buffer lightsSeen;                             // two words per voxel: shaders/lib/light_voxel.glsl
+  gpu::Buffer noCells, noCellsOfTriangles;            // stands for an irradiance map where there is none
+  gpu::Buffer lookups;                                // slots of paths that ask for a map lookup
+  gpu::Buffer noSamplePlan;                           // stands for one where all pixels have as many paths
+  gpu::Buffer noGuide;                                // stands for an emission guide where there is none
   gpu::BindingTable table;
   WorkspaceSize size;
 

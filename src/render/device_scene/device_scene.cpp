@@ -116,8 +116,8 @@ gpu::Buffer buffer(gpu::Context& context, const char* name, const std::vector<T,
   return gpu::makeBuffer<T>(context, name, data.empty() ? placeholder : data, format);
 }
 
-/// Shares of the photons without a guide: by power, but a part of them evenly, so that a light beside a much stronger one
-/// still gets photons where only it shines.
+/// Shares of the photons without a guide: by power, but a part of them evenly, so that a light beside a much stronger
+/// one still gets photons where only it shines.
 std::vector<double> emissionWeights(const Scene& scene) {
   constexpr double kEvenShare = 0.05;
   double sum = 0;
@@ -173,7 +173,8 @@ DeviceScene uploadScene(gpu::Context& context, const Scene& scene, const Bvh& bv
   const EnvironmentMap black{1, 1, {vec3(0.0f)}};
   const EnvironmentMap& environment = scene.environment ? *scene.environment : black;
   d.environment = buffer(context, "environment", packEnvironment(environment), TexelFormat::uint4);
-  d.environmentAlias = buffer(context, "environment alias tables", packEnvironmentAlias(environment), TexelFormat::uint2);
+  d.environmentAlias =
+      buffer(context, "environment alias tables", packEnvironmentAlias(environment), TexelFormat::uint2);
   return d;
 }
 

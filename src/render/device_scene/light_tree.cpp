@@ -12,9 +12,9 @@ namespace importon {
 namespace {
 
 constexpr uint kTreeLeaf = 0x80000000u;
-constexpr float kPi = 3.14159265f;
+constexpr float kFloatPi = 3.14159265f;
 
-float meanOf(const vec3& color) { return (color.x + color.y + color.z) / 3.0f; }
+float floatMeanOf(const vec3& color) { return (color.x + color.y + color.z) / 3.0f; }
 
 /// A cone around both. [Conty Estevez and Kulla 2018, listing 1]
 void mergeCones(LightBounds& a, const LightBounds& b) {
@@ -29,7 +29,7 @@ void mergeCones(LightBounds& a, const LightBounds& b) {
   }
   const float angle = 0.5f * (angleA + between + angleB);
   const vec3 across = b.axis - glm::dot(a.axis, b.axis) * a.axis;
-  if (angle >= kPi || glm::dot(across, across) < 1e-12f) {
+  if (angle >= kFloatPi || glm::dot(across, across) < 1e-12f) {
     a.cosCone = -1;
     return;
   }
@@ -53,8 +53,7 @@ LightBounds merge(LightBounds a, const LightBounds& b) {
 
 class Builder {
  public:
-  explicit Builder(std::span<const LightBounds> lights)
-      : lights_(lights), order_(lights.size()), ways_(lights.size()) {
+  explicit Builder(std::span<const LightBounds> lights) : lights_(lights), order_(lights.size()), ways_(lights.size()) {
     std::iota(order_.begin(), order_.end(), 0u);
     std::stable_partition(order_.begin(), order_.end(), [&](uint i) { return !lights_[i].isInfinite; });
   }
@@ -100,8 +99,7 @@ class Builder {
     const auto first = order_.begin() + static_cast<std::ptrdiff_t>(begin),
                last = order_.begin() + static_cast<std::ptrdiff_t>(end);
     const auto firstInfinite = std::find_if(first, last, [&](uint i) { return lights_[i].isInfinite; });
-    if (firstInfinite != last && firstInfinite != first)
-      return begin + static_cast<std::size_t>(firstInfinite - first);
+    if (firstInfinite != last && firstInfinite != first) return begin + static_cast<std::size_t>(firstInfinite - first);
     const auto middle = first + (last - first) / 2;
     if (firstInfinite == last) {
       vec3 low(std::numeric_limits<float>::infinity()), high = -low;
@@ -124,14 +122,12 @@ class Builder {
   static void write(const Node& node, std::vector<uvec4>& texels) {
     const LightBounds& b = node.bounds;
     const vec3 centre = 0.5f * b.low + 0.5f * b.high;
-    const float radius =
-        b.isInfinite ? std::numeric_limits<float>::infinity() : 0.5f * glm::length(b.high - b.low);
+    const float radius = b.isInfinite ? std::numeric_limits<float>::infinity() : 0.5f * glm::length(b.high - b.low);
     // The axis is rounded when packed: by less than this.
-    const float cosCone = std::cos(std::min(std::acos(std::clamp(b.cosCone, -1.0f, 1.0f)) + 1e-3f, kPi));
-    texels.emplace_back(std::bit_cast<uint>(centre.x), std::bit_cast<uint>(centre.y),
-                        std::bit_cast<uint>(centre.z), std::bit_cast<uint>(radius));
-    texels.emplace_back(std::bit_cast<uint>(b.power), packNormal(b.axis), std::bit_cast<uint>(cosCone),
-                        node.content);
+    const float cosCone = std::cos(std::min(std::acos(std::clamp(b.cosCone, -1.0f, 1.0f)) + 1e-3f, kFloatPi));
+    texels.emplace_back(std::bit_cast<uint>(centre.x), std::bit_cast<uint>(centre.y), std::bit_cast<uint>(centre.z),
+                        std::bit_cast<uint>(radius));
+    texels.emplace_back(std::bit_cast<uint>(b.power), packNormal(b.axis), std::bit_cast<uint>(cosCone), node.content);
   }
 
   std::span<const LightBounds> lights_;
@@ -149,7 +145,7 @@ LightBounds boundLight(const Scene& scene, const Light& light) {
     bounds.isInfinite = true;
     // In the unit of a node's weight, power over squared distance: a Lambertian light brings its power / (pi
     // d²).
-    bounds.power = kPi * meanOf(light.emission) * (light.kind == kLightEnvironment ? kPi : 1.0f);
+    bounds.power = kFloatPi * floatMeanOf(light.emission) * (light.kind == kLightEnvironment ? kFloatPi : 1.0f);
     return bounds;
   }
   bounds.low = bounds.high = light.position;
@@ -157,7 +153,7 @@ LightBounds boundLight(const Scene& scene, const Light& light) {
   if (light.kind == kLightSpot) {
     bounds.axis = light.direction;
     bounds.cosCone = light.cosOuter;
-    bounds.power = kPi * meanOf(light.emission);
+    bounds.power = kFloatPi * floatMeanOf(light.emission);
   }
   if (light.kind != kLightTriangle) return bounds;
   const Triangle& t = scene.triangles[light.triangle];

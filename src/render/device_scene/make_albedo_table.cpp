@@ -64,8 +64,7 @@ double fresnel(double cosine, double eta) {
   const double sin2 = (1 - cosine * cosine) / (eta * eta);
   if (sin2 >= 1) return 1;
   const double inner = std::sqrt(1 - sin2);
-  const double p = (eta * cosine - inner) / (eta * cosine + inner),
-               s = (cosine - eta * inner) / (cosine + eta * inner);
+  const double p = (eta * cosine - inner) / (eta * cosine + inner), s = (cosine - eta * inner) / (cosine + eta * inner);
   return 0.5 * (p * p + s * s);
 }
 
@@ -106,7 +105,8 @@ class CoatReflectance {
     const double place = std::sqrt(alpha) * (kAlbedoSide - 1.0);
     const auto row = std::min(static_cast<std::size_t>(place), std::size_t{kAlbedoSide - 2});
     const double share = place - static_cast<double>(row);
-    for (std::size_t i = 0; i < kAlbedoSide; ++i) row_.push_back(between(rows[row * kAlbedoSide + i], rows[(row + 1) * kAlbedoSide + i], share));
+    for (std::size_t i = 0; i < kAlbedoSide; ++i)
+      row_.push_back(between(rows[row * kAlbedoSide + i], rows[(row + 1) * kAlbedoSide + i], share));
     const double mean = between(means[row], means[row + 1], share)[0], fresnel = kF0 + (1 - kF0) / 21;
     missed_ = fresnel * fresnel * mean / (1 - fresnel * (1 - mean));
   }

@@ -12,7 +12,8 @@ namespace {
 constexpr float kSmoothRoughness = 0.0317f;
 
 bool reflects(const Material& m) {
-  return m.metallic > 0 || m.specular > 0 || m.transmission > 0 || m.clearcoat > 0 || m.metallicRoughnessTexture != kNone;
+  return m.metallic > 0 || m.specular > 0 || m.transmission > 0 || m.clearcoat > 0 ||
+         m.metallicRoughnessTexture != kNone;
 }
 
 /// Least value of the roughness channel (green) of a texture.
@@ -26,24 +27,23 @@ float leastRoughness(const Scene& scene, uint texture) {
 }
 
 bool mayBeSmooth(const Scene& scene, const Material& m) {
-  if (m.clearcoat > 0 &&
-      m.clearcoatRoughness * leastRoughness(scene, m.clearcoatRoughnessTexture) < kSmoothRoughness)
+  if (m.clearcoat > 0 && m.clearcoatRoughness * leastRoughness(scene, m.clearcoatRoughnessTexture) < kSmoothRoughness)
     return true;
   return reflects(m) && m.roughness * leastRoughness(scene, m.metallicRoughnessTexture) < kSmoothRoughness;
 }
 
 bool usesTextures(const Material& m) {
-  const uint slots[] = {m.baseColorTexture,    m.metallicRoughnessTexture, m.normalTexture, m.emissiveTexture,
-                        m.transmissionTexture, m.specularTexture,          m.specularColorTexture,
-                        m.clearcoatTexture,    m.clearcoatRoughnessTexture, m.clearcoatNormalTexture};
+  const uint slots[] = {m.baseColorTexture,      m.metallicRoughnessTexture, m.normalTexture,
+                        m.emissiveTexture,       m.transmissionTexture,      m.specularTexture,
+                        m.specularColorTexture,  m.clearcoatTexture,         m.clearcoatRoughnessTexture,
+                        m.clearcoatNormalTexture};
   return std::any_of(std::begin(slots), std::end(slots), [](uint slot) { return slot != kNone; });
 }
 
 bool hasAnyColor(const Scene& scene) {
   constexpr uint kWhiteHalves = 0x3C003C00u;
-  return std::any_of(scene.vertices.begin(), scene.vertices.end(), [](const Vertex& v) {
-    return v.colorRG != kWhiteHalves || (v.colorBA & 0xFFFFu) != 0x3C00u;
-  });
+  return std::any_of(scene.vertices.begin(), scene.vertices.end(),
+                     [](const Vertex& v) { return v.colorRG != kWhiteHalves || (v.colorBA & 0xFFFFu) != 0x3C00u; });
 }
 
 }  // namespace

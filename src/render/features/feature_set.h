@@ -14,21 +14,23 @@ struct FeatureSet {
   bool hasTextures = false;
   bool hasNormalMaps = false;
   bool hasVertexColors = false;
-  bool hasReflection = false;      // anything but Lambertian reflection
+  bool hasReflection = false;  // anything but Lambertian reflection
   bool hasTransmission = false;
-  bool hasMedia = false;           // absorbing solids
+  bool hasMedia = false;  // absorbing solids
   bool hasClearcoat = false;
   bool hasTriangleLights = false;
   bool hasPunctualLights = false;
   bool hasEnvironment = false;
-  uint pixelFilter = 0;            // kFilter*
-  bool needsCausticMap = false;    // a smooth reflecting or transmitting surface
-  bool readsCells = false;         // gather rays read surface cells, not photons
-  bool needsGlobalMap = false;     // light that comes from a surface that is no light
+  uint pixelFilter = 0;          // kFilter*
+  bool needsCausticMap = false;  // a smooth reflecting or transmitting surface
+  bool readsCells = false;       // gather rays read surface cells, not photons
+  bool needsGlobalMap = false;   // light that comes from a surface that is no light
 
   /// Photons of a kind are shot: into a map, or into surface cells.
   [[nodiscard]] bool needsPhotons(MapKind kind) const { return kind == MapKind::global || needsCausticMap; }
-  [[nodiscard]] bool needsPhotonMap(MapKind kind) const { return kind == MapKind::global ? !readsCells : needsCausticMap; }
+  [[nodiscard]] bool needsPhotonMap(MapKind kind) const {
+    return kind == MapKind::global ? !readsCells : needsCausticMap;
+  }
 };
 
 /// What `scene` needs for `job`; everything if the job forces all features.

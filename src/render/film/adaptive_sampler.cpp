@@ -5,18 +5,19 @@
 #include <cmath>
 #include <numeric>
 
+#include "scene/light_math.h"
+
 namespace importon {
 namespace {
 
-constexpr int kFirstLearning = 4;   // passes: two in each half
-constexpr double kEvenShare = 0.25;  // of all paths, whatever was learned
-constexpr float kPurity = 0.98f;     // length of the mean normal of what a pixel sees, below which it sees several surfaces
+constexpr int kFirstLearning = 4;    // passes: two in each half
+constexpr double kEvenPaths = 0.25;  // of all paths, whatever was learned
+/// Length of the mean normal of what a pixel sees, below which it sees several surfaces.
+constexpr float kOneSurface = 0.98f;
 constexpr double kGolden = 0.6180339887498949;  // multiples of it fill [0, 1) evenly
 
-double meanOf(const vec3& v) { return (static_cast<double>(v.x) + static_cast<double>(v.y) + static_cast<double>(v.z)) / 3; }
-
 /// False for pixels on edges, with which the filter of indirect light can do little.
-bool seesOneSurface(const FilmPixel& p) { return glm::length(p.normal) >= kPurity * p.gathers; }
+bool seesOneSurface(const FilmPixel& p) { return glm::length(p.normal) >= kOneSurface * p.gathers; }
 
 /// Variance of a path's light relative to the squared radiance of its pixel and a hundredth of the image's.
 /// `samplesOf`: a pixel's paths in the half.
@@ -58,10 +59,13 @@ std::vector<double> smooth(const std::vector<double>& values, int width) {
 std::vector<float> sharesOf(const std::vector<double>& variance) {
   std::vector<double> shares(variance.size());
   std::transform(variance.begin(), variance.end(), shares.begin(), [](double v) { return std::sqrt(v); });
-  const auto meanShare = [&] { return std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size()); };
+  const auto meanShare = [&] {
+    return std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
+  };
   double mean = meanShare();
   if (!(mean > 0)) return std::vector<float>(variance.size(), 1.0f);
-  for (double& share : shares) share = std::min(kEvenShare + (1 - kEvenShare) * share / mean, static_cast<double>(kMostPathsShare));
+  for (double& share : shares)
+    share = std::min(kEvenPaths + (1 - kEvenPaths) * share / mean, static_cast<double>(kMostPathsShare));
   return {shares.begin(), shares.end()};
 }
 
@@ -69,9 +73,12 @@ std::vector<float> sharesOf(const std::vector<double>& variance) {
 
 AdaptiveSampler::AdaptiveSampler(int width, std::size_t pixels) : width_(width), pixels_(pixels) {}
 
-bool AdaptiveSampler::learnsBefore(int pass) { return pass >= kFirstLearning && std::has_single_bit(static_cast<unsigned>(pass)); }
+bool AdaptiveSampler::learnsBefore(int pass) {
+  return pass >= kFirstLearning && std::has_single_bit(static_cast<unsigned>(pass));
+}
 
-void AdaptiveSampler::learn(std::span<const FilmPixel> halves, std::uint64_t evenSamples, std::uint64_t oddSamples, float indirectShare) {
+void AdaptiveSampler::learn(std::span<const FilmPixel> halves, std::uint64_t evenSamples, std::uint64_t oddSamples,
+                            float indirectShare) {
   const SampleCounts counts = this->counts(evenSamples, oddSamples);
   const auto even = [&](std::size_t i) { return counts.even(i); };
   const auto odd = [&](std::size_t i) { return counts.odd(i); };

@@ -17,7 +17,8 @@ struct SampleCounts {
 
   /// Of the even half in the image.
   [[nodiscard]] float evenShare() const {
-    return static_cast<float>(static_cast<double>(evenSamples) / static_cast<double>(std::max<std::uint64_t>(evenSamples + oddSamples, 1)));
+    return static_cast<float>(static_cast<double>(evenSamples) /
+                              static_cast<double>(std::max<std::uint64_t>(evenSamples + oddSamples, 1)));
   }
   [[nodiscard]] float even(std::size_t pixel) const { return of(evenSamples, evenExtra, pixel); }
   [[nodiscard]] float odd(std::size_t pixel) const { return of(oddSamples, oddExtra, pixel); }
@@ -36,10 +37,11 @@ class AdaptiveSampler {
 
   /// True before passes whose number is a power of two, from the fourth on.
   [[nodiscard]] static bool learnsBefore(int pass);
-  /// Shares follow the film's `halves` (even, then odd passes) from now on: the root of the relative variance of emitted,
-  /// direct and caustic light, and of `indirectShare` of that of indirect light (the whole on edges, where it is shared
-  /// with few pixels), over 3 x 3 pixels; a part is even.
-  void learn(std::span<const FilmPixel> halves, std::uint64_t evenSamples, std::uint64_t oddSamples, float indirectShare);
+  /// Shares follow the film's `halves` (even, then odd passes) from now on: the root of the relative variance of
+  /// emitted, direct and caustic light, and of `indirectShare` of that of indirect light (the whole on edges, where it
+  /// is shared with few pixels), over 3 x 3 pixels; a part is even.
+  void learn(std::span<const FilmPixel> halves, std::uint64_t evenSamples, std::uint64_t oddSamples,
+             float indirectShare);
   [[nodiscard]] bool hasLearned() const { return !shares_[0].empty(); }
 
   /// Deals `samples` paths per pixel in the mean, to the pixels `first` .. `first + count`; adds them to the counts.

@@ -31,14 +31,21 @@ void addAovLayer(Image& image, const std::string& name, const FilmLayers& film, 
                  glm::dvec3 worldFromRender) {
   const AovRow& row = aovRow(name);
   switch (row.source) {
-    case AovSource::buffer: return addFromBuffer(image, row, buffer, worldFromRender);
-    case AovSource::filmDirect: return addColor(image, name, film.direct);
-    case AovSource::filmCaustic: return addColor(image, name, film.caustic);
-    case AovSource::filmIndirect: return addColor(image, name, film.indirect);
-    case AovSource::filmVariance: return addColor(image, name, film.variance);
-    case AovSource::filmError: return addColor(image, name, film.error);
+    case AovSource::buffer:
+      return addFromBuffer(image, row, buffer, worldFromRender);
+    case AovSource::filmDirect:
+      return addColor(image, name, film.direct);
+    case AovSource::filmCaustic:
+      return addColor(image, name, film.caustic);
+    case AovSource::filmIndirect:
+      return addColor(image, name, film.indirect);
+    case AovSource::filmVariance:
+      return addColor(image, name, film.variance);
+    case AovSource::filmError:
+      return addColor(image, name, film.error);
     case AovSource::importons:
-    case AovSource::photons: return;  // camera/aov_layers.cpp
+    case AovSource::photons:
+      return;  // camera/aov_layers.cpp
   }
 }
 

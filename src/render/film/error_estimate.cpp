@@ -8,8 +8,8 @@
 namespace importon {
 namespace {
 
-constexpr int kBlock = 4;   // side of the blocks for the bias, pixels
-constexpr int kWindow = 3;  // half the side of the window of the error per pixel
+constexpr int kBlock = 4;        // side of the blocks for the bias, pixels
+constexpr int kErrorWindow = 3;  // half the side of the window of the error per pixel
 
 double meanOf(const glm::dvec3& v) { return (v.x + v.y + v.z) / 3; }
 
@@ -60,14 +60,16 @@ std::vector<Block> blocksOf(const HalfImages& shown, const HalfImages& raw, cons
 /// Means of `values` over windows, rows first.
 std::vector<glm::dvec3> blur(const std::vector<glm::dvec3>& values, int width) {
   const int height = static_cast<int>(values.size()) / width;
-  const auto at = [width](int x, int y) { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x); };
+  const auto at = [width](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  };
   const auto pass = [&](const std::vector<glm::dvec3>& from, int dx, int dy) {
     std::vector<glm::dvec3> to(from.size());
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
         glm::dvec3 sum(0);
         double count = 0;
-        for (int k = -kWindow; k <= kWindow; ++k) {
+        for (int k = -kErrorWindow; k <= kErrorWindow; ++k) {
           const int qx = x + k * dx, qy = y + k * dy;
           if (qx < 0 || qy < 0 || qx >= width || qy >= height) continue;
           sum += from[at(qx, qy)];

@@ -17,10 +17,10 @@ struct HalfImages {
 };
 
 struct ErrorEstimate {
-  double noise = 0;  // relative: root of the trimmed relMSE that the difference of the halves lets expect
-  double bias = 0;   // the same for what sharing light among pixels moved
-  double relative = 0;          // of both
-  std::vector<vec3> perPixel;   // W/(m² sr): both, over a window around each pixel
+  double noise = 0;            // relative: root of the trimmed relMSE that the difference of the halves lets expect
+  double bias = 0;             // the same for what sharing light among pixels moved
+  double relative = 0;         // of both
+  std::vector<vec3> perPixel;  // W/(m² sr): both, over a window around each pixel
 };
 
 /// `shown` are the halves with indirect light shared among pixels, `raw` without; the image is the mean of

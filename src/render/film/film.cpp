@@ -17,7 +17,8 @@ namespace {
 std::uint64_t memoryFor(const gpu::Limits& limits) {
   if (!limits.isCpu) return limits.heapBytes;
   const long pages = sysconf(_SC_PHYS_PAGES), pageBytes = sysconf(_SC_PAGESIZE);
-  return std::max(limits.heapBytes, static_cast<std::uint64_t>(std::max(pages, 0L)) * static_cast<std::uint64_t>(pageBytes));
+  return std::max(limits.heapBytes,
+                  static_cast<std::uint64_t>(std::max(pages, 0L)) * static_cast<std::uint64_t>(pageBytes));
 }
 
 }  // namespace
@@ -28,8 +29,7 @@ Film::Film(gpu::Context& context, std::uint64_t pixels, std::uint64_t tilePixels
   const std::uint64_t memory = memoryFor(context.limits());
   if (need > memory)
     throw DeviceError(fmt::format("an image of {} pixels needs {} MiB of memory", pixels, need >> 20),
-                      fmt::format("{} has {} MiB", context.info().name, memory >> 20),
-                      "lower --width and --height");
+                      fmt::format("{} has {} MiB", context.info().name, memory >> 20), "lower --width and --height");
   for (std::uint64_t first = 0; first < pixels; first += tilePixels) {
     const std::uint64_t count = std::min(tilePixels, pixels - first);
     FilmTile tile{static_cast<uint>(first), static_cast<uint>(count),
@@ -99,7 +99,8 @@ FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& rea
     layers.caustic[i] = mix(a.caustic * perEven, b.caustic * perOdd);
     layers.indirect[i] = mix(means.even[i], means.odd[i]);
     layers.total[i] = layers.direct[i] + layers.caustic[i] + layers.indirect[i];
-    layers.variance[i] = varianceOf(a, counts.even(i)) * (share * share) + varianceOf(b, counts.odd(i)) * ((1 - share) * (1 - share));
+    layers.variance[i] =
+        varianceOf(a, counts.even(i)) * (share * share) + varianceOf(b, counts.odd(i)) * ((1 - share) * (1 - share));
     raw.even[i] = (a.direct + a.caustic + a.indirect) * perEven;
     raw.odd[i] = (b.direct + b.caustic + b.indirect) * perOdd;
     means.even[i] += (a.direct + a.caustic) * perEven;

@@ -32,12 +32,13 @@ class Film {
   std::vector<FilmTile> tiles_;
 };
 
-/// Means of the film over paths, per pixel, W/(m² sr); those of the two halves weighted by the paths of the whole image.
+/// Means of the film over paths, per pixel, W/(m² sr); those of the two halves weighted by the paths of the whole
+/// image.
 struct FilmLayers {
   std::vector<vec3> total, direct, caustic, indirect;
-  std::vector<vec3> variance;        // of the mean, from the spread over passes, before any filter
-  std::vector<vec3> error;           // standard error expected: render/film/error_estimate.h; 0 if there is no second half
-  double estimatedError = 0;         // relative, the same of the whole image
+  std::vector<vec3> variance;  // of the mean, from the spread over passes, before any filter
+  std::vector<vec3> error;     // standard error expected: render/film/error_estimate.h; 0 if there is no second half
+  double estimatedError = 0;   // relative, the same of the whole image
 };
 
 /// How to read a film.

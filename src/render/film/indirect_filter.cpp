@@ -11,11 +11,11 @@ namespace importon {
 namespace {
 
 constexpr std::array kRadii{0, 1, 2, 3, 4, 5, 6, 8, 10, 12, 15};  // pixels
-constexpr int kEdgeRadius = 4;                   // the largest for pixels that see an edge
-constexpr int kGuessRadius = 4;                  // of the disc that tells how bright a pixel is about
-constexpr int kWindow = 5;                       // half the side of the window that chooses the radius, pixels
+constexpr int kEdgeRadius = 4;                                    // the largest for pixels that see an edge
+constexpr int kGuessRadius = 4;                                   // of the disc that tells how bright a pixel is about
+constexpr int kRadiusWindow = 5;  // half the side of the window that chooses the radius, pixels
 constexpr float kLikeNormal = 0.9f;
-constexpr float kPurity = 0.98f;   // length of the mean normal below which a pixel sees several surfaces
+constexpr float kPurity = 0.98f;       // length of the mean normal below which a pixel sees several surfaces
 constexpr float kLikeMixture = 0.15f;  // distance of mean normals below which two such pixels see them alike
 
 // Loops over pixels in a row are compiled for wider vectors too, of which the device that runs them takes its widest.
@@ -36,7 +36,7 @@ using Guides = std::array<Plane, 7>;
 constexpr std::size_t kPosition = 0, kNormal = 3, kSharing = 6;
 
 /// Of the even half and of the odd one: indirect light, and modulation.
-using Light = std::array<Plane, 12>;
+using LightPlanes = std::array<Plane, 12>;
 constexpr std::size_t kEven = 0, kOdd = 6, kModulation = 3;
 
 template <std::size_t N>
@@ -82,8 +82,8 @@ inline float likeness(const GuideRows& p, const GuideRows& q, int x) {
 }
 
 /// Adds to the sums of the `count` pixels from p on the light of those from q on, where they are alike.
-IMPORTON_VECTORS void addRow(const GuideRows& p, const GuideRows& q, const std::array<const float*, 12>& light, int count,
-                             const std::array<float*, 12>& sums) {
+IMPORTON_VECTORS void addRow(const GuideRows& p, const GuideRows& q, const std::array<const float*, 12>& light,
+                             int count, const std::array<float*, 12>& sums) {
   constexpr int kChunk = 256;
   std::array<float, kChunk> weights;
   for (int begin = 0; begin < count; begin += kChunk) {
@@ -123,7 +123,7 @@ vec3 ratio(vec3 a, vec3 b) {
   return {b.x > 0 ? a.x / b.x : 0.0f, b.y > 0 ? a.y / b.y : 0.0f, b.z > 0 ? a.z / b.z : 0.0f};
 }
 
-Estimate estimateOf(const Light& light, std::size_t i) {
+Estimate estimateOf(const LightPlanes& light, std::size_t i) {
   return {ratio(read(light, kEven, i), read(light, kEven + kModulation, i)),
           ratio(read(light, kOdd, i), read(light, kOdd + kModulation, i))};
 }
@@ -136,18 +136,21 @@ float residual(const Estimate& estimate, const Estimate& own) {
   return std::min(glm::dot(a, a) + glm::dot(b, b), 8 * size);
 }
 
-/// Means of `values` over windows of (2 kWindow + 1)² pixels, row sums first.
+/// Means of `values` over windows of (2 kRadiusWindow + 1)² pixels, row sums first.
 Plane blur(const Plane& values, int width, int height, int threads) {
-  const auto at = [width](int x, int y) { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x); };
+  const auto at = [width](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  };
   Plane rows(values.size()), out(values.size());
   parallelFor(static_cast<std::size_t>(height), 16, threads, [&](std::size_t begin, std::size_t end) {
     for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
       for (int x = 0; x < width; ++x)
-        for (int q = std::max(x - kWindow, 0); q <= std::min(x + kWindow, width - 1); ++q) rows[at(x, y)] += values[at(q, y)];
+        for (int q = std::max(x - kRadiusWindow, 0); q <= std::min(x + kRadiusWindow, width - 1); ++q)
+          rows[at(x, y)] += values[at(q, y)];
   });
   parallelFor(static_cast<std::size_t>(height), 16, threads, [&](std::size_t begin, std::size_t end) {
     for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
-      for (int q = std::max(y - kWindow, 0); q <= std::min(y + kWindow, height - 1); ++q)
+      for (int q = std::max(y - kRadiusWindow, 0); q <= std::min(y + kRadiusWindow, height - 1); ++q)
         for (int x = 0; x < width; ++x) out[at(x, y)] += rows[at(x, q)];
   });
   return out;
@@ -157,10 +160,12 @@ Plane blur(const Plane& values, int width, int height, int threads) {
 struct Halves {
   int width, height, threads;
   Guides guides;
-  Light light;  // means over a pixel's paths
-  Plane found;  // emitted, direct and caustic light: mean over halves and channels
+  LightPlanes light;  // means over a pixel's paths
+  Plane found;        // emitted, direct and caustic light: mean over halves and channels
 
-  [[nodiscard]] std::size_t at(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x); }
+  [[nodiscard]] std::size_t at(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  }
   /// Whether a pixel shares its light over discs of a radius.
   [[nodiscard]] bool isShared(std::size_t i, int radius) const {
     const float sharing = guides[kSharing][i];
@@ -190,32 +195,34 @@ Halves readHalves(std::span<const FilmPixel> film, int width, const SampleCounts
       write(h.light, kEven + kModulation, i, even.modulation / counts.even(i));
       write(h.light, kOdd, i, odd.indirect / counts.odd(i));
       write(h.light, kOdd + kModulation, i, odd.modulation / counts.odd(i));
-      h.found[i] = 0.5f * (mean(even.direct + even.caustic) / counts.even(i) + mean(odd.direct + odd.caustic) / counts.odd(i));
+      h.found[i] =
+          0.5f * (mean(even.direct + even.caustic) / counts.even(i) + mean(odd.direct + odd.caustic) / counts.odd(i));
     }
   });
   return h;
 }
 
 /// Adds to the sums of row y the light of the pixels at an offset.
-void addOffset(const Halves& h, int y, const Offset& o, Light& sums) {
+void addOffset(const Halves& h, int y, const Offset& o, LightPlanes& sums) {
   const int first = std::max(0, -o.dx), count = h.width - std::abs(o.dx);
   if (y + o.dy < 0 || y + o.dy >= h.height || count <= 0) return;
   const std::size_t to = h.at(first, y), from = h.at(first + o.dx, y + o.dy);
   addRow(rowsAt<7>(h.guides, to), rowsAt<7>(h.guides, from), rowsAt<12>(h.light, from), count, rowsAt<12>(sums, to));
 }
 
-/// Weights of squared errors of irradiance, as relMSE weighs those of radiance. For them each pixel's irradiance is taken
-/// to be that of a small disc.
+/// Weights of squared errors of irradiance, as relMSE weighs those of radiance. For them each pixel's irradiance is
+/// taken to be that of a small disc.
 Plane weighErrors(const Halves& h) {
   const std::vector<Offset> disc = ringOf(-1, kGuessRadius);
   Plane weights(h.found.size()), image(h.found.size());
-  Light sums = planesOf<12>(h.found.size());
+  LightPlanes sums = planesOf<12>(h.found.size());
   parallelFor(static_cast<std::size_t>(h.height), 4, h.threads, [&](std::size_t begin, std::size_t end) {
     for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
       for (const Offset& o : disc) addOffset(h, y, o, sums);
       for (std::size_t i = h.at(0, y); i < h.at(0, y + 1); ++i) {
         const Estimate irradiance = estimateOf(sums, i);
-        const float modulation = 0.5f * mean(read(h.light, kEven + kModulation, i) + read(h.light, kOdd + kModulation, i));
+        const float modulation =
+            0.5f * mean(read(h.light, kEven + kModulation, i) + read(h.light, kOdd + kModulation, i));
         image[i] = h.found[i] + 0.5f * mean(irradiance.even + irradiance.odd) * modulation;
         weights[i] = modulation * modulation;
       }
@@ -228,7 +235,7 @@ Plane weighErrors(const Halves& h) {
 }
 
 /// Adds a ring to the sums over discs. Returns how badly those predict the other half around each pixel.
-Plane growDiscs(const Halves& h, const std::vector<Offset>& ring, int radius, const Plane& weights, Light& sums) {
+Plane growDiscs(const Halves& h, const std::vector<Offset>& ring, int radius, const Plane& weights, LightPlanes& sums) {
   Plane residuals(sums[0].size());
   parallelFor(static_cast<std::size_t>(h.height), 4, h.threads, [&](std::size_t begin, std::size_t end) {
     for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
@@ -247,7 +254,7 @@ FilteredIndirect filterIndirect(std::span<const FilmPixel> film, int width, cons
   const Halves h = readHalves(film, width, counts, threads);
   const Plane weights = weighErrors(h);
   const float evenShare = counts.evenShare();
-  Light sums = planesOf<12>(pixels);
+  LightPlanes sums = planesOf<12>(pixels);
   Plane best(pixels);
   FilteredIndirect result{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
   int inner = -1;
@@ -262,7 +269,8 @@ FilteredIndirect filterIndirect(std::span<const FilmPixel> film, int width, cons
           best[i] = around[i];
         } else if (h.isShared(i, radius) && around[i] < best[i]) {
           best[i] = around[i];
-          const vec3 modulation = read(h.light, kEven + kModulation, i) * evenShare + read(h.light, kOdd + kModulation, i) * (1 - evenShare);
+          const vec3 modulation = read(h.light, kEven + kModulation, i) * evenShare +
+                                  read(h.light, kOdd + kModulation, i) * (1 - evenShare);
           const Estimate estimate = estimateOf(sums, i);
           result.even[i] = modulation * estimate.even;
           result.odd[i] = modulation * estimate.odd;

@@ -49,7 +49,9 @@ EmissionGuide::EmissionGuide(gpu::Context& context, const Scene& scene, MapKind 
   columns_ = gpu::Buffer(context, "guide columns", rows * (bins_ + 1) * sizeof(float), gpu::TexelFormat::float1);
   const std::uint64_t cells = rows * bins_;
   sums_ = gpu::makeBuffer(context, "guide sums", std::span<const uint>(std::vector<uint>(2 * cells)));
-  upload(chooseGuidePmf(std::vector<double>(cells), std::vector<double>(cells), powers_, static_cast<int>(bins_), weight_).cells);
+  upload(
+      chooseGuidePmf(std::vector<double>(cells), std::vector<double>(cells), powers_, static_cast<int>(bins_), weight_)
+          .cells);
 }
 
 void EmissionGuide::followDeficits(const Stage& stage, const ImportanceMap& importance, const Parameters& parameters,

@@ -1,5 +1,5 @@
-/// With which probability photons leave which light in which direction, learned from what earlier ones brought to places
-/// that the camera sees. [Peter and Pietrek 1998; Jensen 1995 for bins over the unit square of directions]
+/// With which probability photons leave which light in which direction, learned from what earlier ones brought to
+/// places that the camera sees. [Peter and Pietrek 1998; Jensen 1995 for bins over the unit square of directions]
 #pragma once
 #include <optional>
 #include <vector>

@@ -10,7 +10,7 @@ namespace importon {
 namespace {
 
 constexpr std::array kDefensiveWeights{0.15, 0.3, 0.5, 0.75, 1.0};
-constexpr double kEvenShare = 0.075;  // evenly over cells, whatever was learned: for lights much weaker than others
+constexpr double kEvenWeight = 0.075;  // evenly over cells, whatever was learned: for lights much weaker than others
 
 /// Sum over cells of the second moment over the share: up to a factor and a constant, the variance of what is learned.
 double varianceOf(std::span<const double> moments, std::span<const double> shares) {
@@ -52,18 +52,18 @@ std::vector<double> guidePmf(const std::vector<double>& moments, const std::vect
   if (guideWeight != GuideWeight::potential)
     for (double& weight : weights) weight = std::sqrt(weight);
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
-  const double even = kEvenShare / static_cast<double>(moments.size());
+  const double even = kEvenWeight / static_cast<double>(moments.size());
   std::vector<double> cells;
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const double power = powers[i / perLight] / static_cast<double>(perLight);
     const double guided = total > 0 ? weights[i] / total : power;
-    cells.push_back(even + (defensiveWeight - kEvenShare) * power + (1 - defensiveWeight) * guided);
+    cells.push_back(even + (defensiveWeight - kEvenWeight) * power + (1 - defensiveWeight) * guided);
   }
   return cells;
 }
 
 GuidePmf chooseGuidePmf(const std::vector<double>& evenMoments, const std::vector<double>& oddMoments,
-                         const std::vector<double>& powers, int bins, GuideWeight guideWeight) {
+                        const std::vector<double>& powers, int bins, GuideWeight guideWeight) {
   const std::size_t perLight = evenMoments.size() / powers.size();
   std::vector<double> byPower(evenMoments.size());
   for (std::size_t i = 0; i < byPower.size(); ++i) byPower[i] = powers[i / perLight] / static_cast<double>(perLight);
@@ -72,7 +72,9 @@ GuidePmf chooseGuidePmf(const std::vector<double>& evenMoments, const std::vecto
   GuidePmf chosen;
   double least = std::numeric_limits<double>::max();
   for (const double defensiveWeight : kDefensiveWeights) {
-    const auto byHalf = [&](const std::vector<double>& half) { return guidePmf(half, powers, bins, guideWeight, defensiveWeight); };
+    const auto byHalf = [&](const std::vector<double>& half) {
+      return guidePmf(half, powers, bins, guideWeight, defensiveWeight);
+    };
     const double variance = varianceOf(oddMoments, byHalf(evenMoments)) + varianceOf(evenMoments, byHalf(oddMoments));
     if (variance >= least) continue;
     least = variance;

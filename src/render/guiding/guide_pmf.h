@@ -10,8 +10,8 @@ namespace importon {
 /// Photons of so many passes train guides, beside a pilot.
 inline constexpr int kTrainingPasses = 4;
 
-/// A mixture of what was learned with a defensive pmf, which goes by power and a little of it evenly, so that no cell has
-/// probability zero.
+/// A mixture of what was learned with a defensive pmf, which goes by power and a little of it evenly, so that no cell
+/// has probability zero.
 struct GuidePmf {
   std::vector<double> cells;   // sum 1
   double defensiveWeight = 0;  // of the defensive pmf
@@ -21,16 +21,16 @@ struct GuidePmf {
 /// Each of bins x bins cells with its neighbours in the same group: half from itself, half from the eight around.
 [[nodiscard]] std::vector<double> smoothBins(const std::vector<double>& moments, std::size_t groups, int bins);
 
-/// Probabilities of the bins x bins cells of each light: the root of the learned second moment, smoothed, mixed with the
-/// defensive pmf. `moments`: of each cell; `powers`: of the lights, sum 1.
-/// With GuideWeight::potential they go by the moments themselves: as much as photons bring to important places, whatever
-/// it does to noise. [Peter and Pietrek 1998]
-[[nodiscard]] std::vector<double> guidePmf(const std::vector<double>& moments, const std::vector<double>& powers, int bins,
-                                           GuideWeight guideWeight, double defensiveWeight);
+/// Probabilities of the bins x bins cells of each light: the root of the learned second moment, smoothed, mixed with
+/// the defensive pmf. `moments`: of each cell; `powers`: of the lights, sum 1. With GuideWeight::potential they go by
+/// the moments themselves: as much as photons bring to important places, whatever it does to noise. [Peter and Pietrek
+/// 1998]
+[[nodiscard]] std::vector<double> guidePmf(const std::vector<double>& moments, const std::vector<double>& powers,
+                                           int bins, GuideWeight guideWeight, double defensiveWeight);
 
 /// The pmf of what both halves of the photons learned. The defensive weight is the one with which the pmf of each half
-/// makes least variance for the other half: so a guide stays off that learned nothing which holds for other photons. For
-/// GuideWeight::potential it is the least one.
+/// makes least variance for the other half: so a guide stays off that learned nothing which holds for other photons.
+/// For GuideWeight::potential it is the least one.
 [[nodiscard]] GuidePmf chooseGuidePmf(const std::vector<double>& evenMoments, const std::vector<double>& oddMoments,
                                       const std::vector<double>& powers, int bins, GuideWeight guideWeight);
 

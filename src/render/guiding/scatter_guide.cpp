@@ -10,8 +10,8 @@
 namespace importon {
 namespace {
 
-constexpr double kGuidedShare = 0.75;     // of light from cosine lobes; the rest goes as the material has it
-constexpr double kUnsure = 16;            // importons' worth of even shares in each cell
+constexpr double kGuidedShare = 0.75;  // of light from cosine lobes; the rest goes as the material has it
+constexpr double kUnsure = 16;         // importons' worth of even shares in each cell
 constexpr double kMostVoxels = 1u << 14;
 constexpr std::size_t kBins = std::size_t{kScatterBins} * kScatterBins;
 

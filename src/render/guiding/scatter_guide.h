@@ -3,8 +3,8 @@
 #pragma once
 #include <vector>
 
-#include "render/render_job.h"
 #include "render/importance/site_hits.h"
+#include "render/render_job.h"
 #include "shared/bindings.h"
 
 namespace importon {
@@ -12,15 +12,15 @@ namespace importon {
 /// A batch of importance that trains a guide.
 struct ScatterBatch {
   std::uint32_t first = 0, count = 0;
-  float meanImportance = 0;         // pixels/m²
+  float meanImportance = 0;  // pixels/m²
   uint maxDepth = 0;
   const SiteHits* sites = nullptr;  // whose deficits matter; null: they do not
   float hitsPerPass = 0;            // for each hit that was counted there
 };
 
 /// What lib/scatter_guide.glsl reads of one cell: the share of guided samples, then the sums of its bins' shares up to
-/// 1. Shares follow the smoothed `sums` (their root, unless it is potential: noise is least so if many places are lit by
-/// single photons), evenly for as much as a cell of few importons does not know.
+/// 1. Shares follow the smoothed `sums` (their root, unless it is potential: noise is least so if many places are lit
+/// by single photons), evenly for as much as a cell of few importons does not know.
 [[nodiscard]] std::vector<float> scatterCellOf(std::span<const double> sums, GuideWeight guideWeight);
 
 class ScatterGuide {

@@ -1,9 +1,9 @@
 #include "render/importance/importance.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
-
-#include <fmt/format.h>
 
 #include "render/importance/importon_pass.h"
 #include "render/lists/lists.h"
@@ -31,8 +31,7 @@ uint selectImportons(const Stage& stage, MapKind kind, const PointGrid& counts, 
   setCounter(stage, kCounterLevels, 0);
   stage.recorder.fill(counts.cells, 0);
   overItems(stage, stage.kernels.importonCount, table, kCounterSelected, ImportonCountPush{counts.slotMask});
-  overItems(stage, stage.kernels.importonLevel, table, kCounterSelected,
-            ImportonLevelPush{counts.slotMask, nearest});
+  overItems(stage, stage.kernels.importonLevel, table, kCounterSelected, ImportonLevelPush{counts.slotMask, nearest});
   stage.recorder.submitAndWait();
   return readCounter(stage, kCounterLevels);
 }
@@ -47,8 +46,7 @@ void estimateImportance(const Stage& stage, uint levels, uint count, uint neares
   reserveEntries(stage, entries);
   gpu::BindingTable table = stage.work.table;
   table.set(kBindingKeysOut, stage.work.keysA);
-  overItems(stage, stage.kernels.importonEntries, table, kCounterEntries,
-            ImportonEntriesPush{grid.slotMask, levels});
+  overItems(stage, stage.kernels.importonEntries, table, kCounterEntries, ImportonEntriesPush{grid.slotMask, levels});
   sortIntoCells(stage, grid, kCounterEntries);
   table.set(kBindingValuesIn, grid.order);
   table.set(kBindingPointsOut, grid.points);

@@ -10,10 +10,10 @@ namespace importon {
 /// One of every kImportonsPerSite importons in cells, with importance Γ (pixels/m²) from all of them at each.
 struct ImportanceMap {
   PointGrid grid;
-  gpu::Buffer importance;  // float per site, in cell order
-  gpu::Buffer bound;       // the same by path differentials; empty: without
-  gpu::Buffer hits;        // uint per site: photon hits near it in all passes so far
-  uint levels = 0;         // grid levels in use, a bit each
+  gpu::Buffer importance;   // float per site, in cell order
+  gpu::Buffer bound;        // the same by path differentials; empty: without
+  gpu::Buffer hits;         // uint per site: photon hits near it in all passes so far
+  uint levels = 0;          // grid levels in use, a bit each
   std::uint64_t count = 0;  // importons
 
   void bind(gpu::BindingTable& table) const;

@@ -11,7 +11,8 @@ void traceImportons(const Stage& stage, const ImportanceMap& global, std::uint32
                     bool knowsImportance) {
   gpu::BindingTable table = stage.work.table;
   global.bind(table);
-  PathQueues queues = startQueues(stage, stage.kernels.importonEmit, table, EyeEmitPush{0, count, count, 0, count, 0, 0});
+  PathQueues queues =
+      startQueues(stage, stage.kernels.importonEmit, table, EyeEmitPush{0, count, count, 0, count, 0, 0});
   RecordRoom room(stage, count);
   for (uint depth = 0; depth <= maxDepth && room.makeRoom(queues.counter, maxDepth - depth + 1); ++depth) {
     table.set(kBindingQueue, *queues.now);

@@ -35,7 +35,8 @@ void scaleByCausticShare(const Stage& stage, ImportanceMap& caustic, const Light
   const std::vector<MapPoint> sites = caustic.readPoints();
   for (std::size_t i = 0; i < required.size(); ++i)
     required[i] *= static_cast<float>(share.requiredShareAt(sites[i].position));
-  caustic.bound = gpu::makeBuffer(stage.gpu, "required by other light", std::span<const float>(required), gpu::TexelFormat::float1);
+  caustic.bound =
+      gpu::makeBuffer(stage.gpu, "required by other light", std::span<const float>(required), gpu::TexelFormat::float1);
 }
 
 }  // namespace importon

@@ -11,8 +11,8 @@ namespace importon {
 
 /// A photon hit of a pilot.
 struct LightPoint {
-  vec3 position;    // render space
-  float flux = 0;   // W, of a pass, all colours
+  vec3 position;           // render space
+  float flux = 0;          // W, of a pass, all colours
   bool isCaustic = false;  // of the pilot for the caustic map; else of the one for the global map
 };
 
@@ -22,8 +22,8 @@ class LightShare {
   LightShare(const std::vector<LightPoint>& points, vec3 origin, float extent);
   /// Share of the caustic in all light at a place, 0 to 1; 1 where no light came.
   [[nodiscard]] double at(vec3 position) const;
-  /// Required density there over that of a caustic alone. A caustic of N photons has an error of 1/sqrt(N) of itself; for
-  /// the same error of all light, photons go with the square of the caustic's share. At least 1/64.
+  /// Required density there over that of a caustic alone. A caustic of N photons has an error of 1/sqrt(N) of itself;
+  /// for the same error of all light, photons go with the square of the caustic's share. At least 1/64.
   [[nodiscard]] double requiredShareAt(vec3 position) const;
 
  private:

@@ -7,7 +7,7 @@
 namespace importon {
 namespace {
 
-constexpr int kLevels = 10;            // of the octree: three bits each
+constexpr int kLevels = 10;             // of the octree: three bits each
 constexpr std::ptrdiff_t kFewest = 16;  // points in a cube
 
 std::uint32_t spread(std::uint32_t x) {
@@ -54,7 +54,8 @@ double PointDensity::at(vec3 position) const {
     ++level;
   }
   const double edge = std::ldexp(static_cast<double>(extent_), -level);
-  return (sums_[static_cast<std::size_t>(end - codes_.begin())] - sums_[static_cast<std::size_t>(begin - codes_.begin())]) /
+  return (sums_[static_cast<std::size_t>(end - codes_.begin())] -
+          sums_[static_cast<std::size_t>(begin - codes_.begin())]) /
          (edge * edge);
 }
 

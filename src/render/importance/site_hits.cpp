@@ -11,8 +11,8 @@ namespace importon {
 namespace {
 
 constexpr double kDeficitLeft = 0.05;  // that is borne
-constexpr double kHitsTogether = 8;     // asked for by a neighbourhood
-constexpr double kNewlyLit = 0.001;   // share of the sites: a batch that lit more found something new
+constexpr double kHitsTogether = 8;    // asked for by a neighbourhood
+constexpr double kNewlyLit = 0.001;    // share of the sites: a batch that lit more found something new
 constexpr int kQuietBatches = 3;
 
 }  // namespace
@@ -45,11 +45,13 @@ bool ShootingRule::isEnough(const SiteSupply& supply) {
 SiteHits::SiteHits(gpu::Context& context, MapKind kind, const ImportanceMap& importance, const Parameters& parameters)
     : kind_(kind), importance_(importance) {
   const std::uint64_t sites = std::max<std::uint64_t>(importance.sites(), 1);
-  hits_ = gpu::makeBuffer(context, "site hits", std::span<const uint>(std::vector<uint>(sites)), gpu::TexelFormat::uint1);
+  hits_ =
+      gpu::makeBuffer(context, "site hits", std::span<const uint>(std::vector<uint>(sites)), gpu::TexelFormat::uint1);
   asked_ = gpu::Buffer(context, "site hits asked for", sites * sizeof(float));
   std::vector<std::pair<std::uint32_t, uint>> curve;
   for (const MapPoint& point : importance.readPoints())
-    curve.emplace_back(zOrderCode(point.position, parameters.gridOrigin, parameters.gridExtent), static_cast<uint>(curve.size()));
+    curve.emplace_back(zOrderCode(point.position, parameters.gridOrigin, parameters.gridExtent),
+                       static_cast<uint>(curve.size()));
   std::sort(curve.begin(), curve.end());
   for (const auto& [code, site] : curve) order_.push_back(site);
 }

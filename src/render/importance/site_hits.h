@@ -15,7 +15,8 @@ struct SiteSupply {
 };
 
 /// `hits`, and how many are asked for, of each site; `order` has the sites one next to the other.
-[[nodiscard]] SiteSupply supplyOf(std::span<const uint> hits, std::span<const float> asked, std::span<const uint> order);
+[[nodiscard]] SiteSupply supplyOf(std::span<const uint> hits, std::span<const float> asked,
+                                  std::span<const uint> order);
 
 /// Decides after each batch of photons whether more are needed.
 class ShootingRule {

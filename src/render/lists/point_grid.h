@@ -12,7 +12,8 @@ struct PointGrid {
 
   PointGrid() = default;
   /// For up to `capacity` points.
-  PointGrid(gpu::Context& context, const char* name, std::uint64_t capacity) : PointGrid(context, name, capacity, capacity) {}
+  PointGrid(gpu::Context& context, const char* name, std::uint64_t capacity)
+      : PointGrid(context, name, capacity, capacity) {}
   /// The same with the cells of a grid of `cellsFor` points.
   PointGrid(gpu::Context& context, const char* name, std::uint64_t capacity, std::uint64_t cellsFor);
   /// Bits of a slot number.

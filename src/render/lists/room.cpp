@@ -53,7 +53,8 @@ void reserveEntries(const Stage& stage, std::uint64_t entries) {
   Workspace& work = stage.work;
   if (entries <= work.entryRoom()) return;
   const std::uint64_t room = std::max(roomFor(entries, work.size.entries), entries);
-  for (Buffer* list : {&work.keysA, &work.keysB, &work.valuesA, &work.valuesB}) resize(stage, *list, room * sizeof(uint));
+  for (Buffer* list : {&work.keysA, &work.keysB, &work.valuesA, &work.valuesB})
+    resize(stage, *list, room * sizeof(uint));
   resize(stage, work.blockSums, Workspace::blockSumsOf(work.keep.bytes() / sizeof(uint), room) * sizeof(uint));
 }
 

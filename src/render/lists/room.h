@@ -4,8 +4,8 @@
 
 namespace importon {
 
-/// Gives `buffer` room for `bytes` and keeps its first `kept` ones; tables that it is bound in stay right. Waits for the
-/// device.
+/// Gives `buffer` room for `bytes` and keeps its first `kept` ones; tables that it is bound in stay right. Waits for
+/// the device.
 void resize(const Stage& stage, gpu::Buffer& buffer, std::uint64_t bytes, std::uint64_t kept = 0);
 
 /// As many as to make room for when `needed` is more than there is room for: a quarter more, so that it happens rarely.
@@ -20,7 +20,8 @@ class RecordRoom {
  public:
   /// For `paths` paths that have left none yet.
   RecordRoom(const Stage& stage, std::uint64_t paths) : stage_(stage), paths_(paths) {}
-  /// Before an event of the paths that `queue` counts, which is one of at most `events` to come. False: no path is left.
+  /// Before an event of the paths that `queue` counts, which is one of at most `events` to come. False: no path is
+  /// left.
   [[nodiscard]] bool makeRoom(uint queue, std::uint64_t events);
 
  private:

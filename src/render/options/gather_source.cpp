@@ -12,7 +12,8 @@ std::string photonReason(const RenderJob& job) {
 
 GatherSource gatherSource(const RenderJob& job) {
   if (!photonReason(job).empty()) return GatherSource::photons;
-  // The number of photons of a lookup is of use to the caustic map alone, too: it implies photons, but does not need them.
+  // The number of photons of a lookup is of use to the caustic map alone, too: it implies photons, but does not need
+  // them.
   return job.gatherFrom.value_or(job.lookupPhotons ? GatherSource::photons : GatherSource::cells);
 }
 

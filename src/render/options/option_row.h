@@ -1,13 +1,13 @@
 /// An option of a render as data: all that the command line, the help and the fingerprint of a run know of it.
 #pragma once
+#include <fmt/format.h>
+
 #include <charconv>
 #include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "base/value_checks.h"
 #include "render/render_job.h"
@@ -29,35 +29,57 @@ struct OptionRow {
   std::string type;   // of its value, as the help shows it; empty: a flag
   std::string help;   // with its default
   OptionGroup group = OptionGroup::method;
-  ValueCheck check;   // of the value
+  ValueCheck check;                                         // of the value
   std::function<void(RenderJob&, const std::string&)> set;  // of a flag: with an empty text
   std::function<std::string(const RenderJob&)> value;       // as text, the same for equal values
 
-  bool isEveryday = false;   // in the short help
+  bool isEveryday = false;  // in the short help
   bool isRequired = false;
-  bool changesImage = false;  // part of the run's fingerprint
-  bool isOfPhotons = false;   // of no use to the path tracer
+  bool changesImage = false;                           // part of the run's fingerprint
+  bool isOfPhotons = false;                            // of no use to the path tracer
   bool (*impliesPhotons)(const RenderJob&) = nullptr;  // with its value --gather-from photons is implied
   OptionNeed need = {};
 
   /// The long name, "--output".
   [[nodiscard]] std::string name() const { return names.substr(names.find("--")); }
 
-  OptionRow everyday() && { isEveryday = true; return std::move(*this); }
-  OptionRow required() && { isRequired = true; return std::move(*this); }
-  OptionRow forImage() && { changesImage = true; return std::move(*this); }
-  OptionRow forPhotons() && { changesImage = isOfPhotons = true; return std::move(*this); }
-  OptionRow implyingPhotons(bool (*holds)(const RenderJob&)) && { impliesPhotons = holds; return std::move(*this); }
-  OptionRow needs(OptionNeed other) && { need = other; return std::move(*this); }
+  OptionRow everyday() && {
+    isEveryday = true;
+    return std::move(*this);
+  }
+  OptionRow required() && {
+    isRequired = true;
+    return std::move(*this);
+  }
+  OptionRow forImage() && {
+    changesImage = true;
+    return std::move(*this);
+  }
+  OptionRow forPhotons() && {
+    changesImage = isOfPhotons = true;
+    return std::move(*this);
+  }
+  OptionRow implyingPhotons(bool (*holds)(const RenderJob&)) && {
+    impliesPhotons = holds;
+    return std::move(*this);
+  }
+  OptionRow needs(OptionNeed other) && {
+    need = other;
+    return std::move(*this);
+  }
 };
 
 /// Rows by the type of the job's member.
 namespace option_rows {
 
 template <class Number>
-std::string textOf(const std::optional<Number>& value) { return value ? fmt::format("{}", *value) : "automatic"; }
+std::string textOf(const std::optional<Number>& value) {
+  return value ? fmt::format("{}", *value) : "automatic";
+}
 template <class Number>
-std::string textOf(const Number& value) { return fmt::format("{}", value); }
+std::string textOf(const Number& value) {
+  return fmt::format("{}", value);
+}
 
 template <class Number>
 Number numberOf(const std::string& text) {
@@ -71,7 +93,11 @@ template <class Number>
 OptionRow number(OptionGroup group, const char* names, const char* type, Number RenderJob::*member, ValueCheck check,
                  const std::string& help) {
   const bool namesOne = help.find("(default") != std::string::npos;
-  return {names, type, namesOne ? help : fmt::format("{} (default: {})", help, RenderJob{}.*member), group, std::move(check),
+  return {names,
+          type,
+          namesOne ? help : fmt::format("{} (default: {})", help, RenderJob{}.*member),
+          group,
+          std::move(check),
           [member](RenderJob& job, const std::string& text) { job.*member = numberOf<Number>(text); },
           [member](const RenderJob& job) { return textOf(job.*member); }};
 }
@@ -79,7 +105,11 @@ OptionRow number(OptionGroup group, const char* names, const char* type, Number 
 template <class Number>
 OptionRow number(OptionGroup group, const char* names, const char* type, std::optional<Number> RenderJob::*member,
                  ValueCheck check, const char* help) {
-  return {names, type, help, group, std::move(check),
+  return {names,
+          type,
+          help,
+          group,
+          std::move(check),
           [member](RenderJob& job, const std::string& text) { job.*member = numberOf<Number>(text); },
           [member](const RenderJob& job) { return textOf(job.*member); }};
 }
@@ -109,12 +139,22 @@ OptionRow choice(OptionGroup group, const char* names, Member RenderJob::*member
 /// A file, or any other text but the empty one.
 template <class Text>
 OptionRow text(OptionGroup group, const char* names, const char* type, Text RenderJob::*member, const char* help) {
-  return {names, type, help, group, notEmpty(), [member](RenderJob& job, const std::string& given) { job.*member = given; },
+  return {names,
+          type,
+          help,
+          group,
+          notEmpty(),
+          [member](RenderJob& job, const std::string& given) { job.*member = given; },
           [member](const RenderJob& job) { return std::string(job.*member); }};
 }
 
 inline OptionRow flag(OptionGroup group, const char* names, bool RenderJob::*member, const char* help) {
-  return {names, "", help, group, {}, [member](RenderJob& job, const std::string&) { job.*member = true; },
+  return {names,
+          "",
+          help,
+          group,
+          {},
+          [member](RenderJob& job, const std::string&) { job.*member = true; },
           [member](const RenderJob& job) { return std::string(job.*member ? "on" : "off"); }};
 }
 

@@ -13,8 +13,8 @@ constexpr int kFinestLevel = 20;   // lib/grid.glsl
 constexpr int kCoarserLevels = 4;  // than those in use, for places with few photons
 constexpr int kFinerLevels = 3;    // for places with many, where nothing controls the density
 
-/// Levels to stand at if photons are at those of `used`. What does not fit into lists of `mostEntries` is left out from the
-/// finest level on: cells then hold more photons than the search needs.
+/// Levels to stand at if photons are at those of `used`. What does not fit into lists of `mostEntries` is left out from
+/// the finest level on: cells then hold more photons than the search needs.
 uint levelsFor(uint used, uint photons, std::uint64_t mostEntries) {
   const int finest = std::min(static_cast<int>(std::bit_width(used)) - 1 + kFinerLevels, kFinestLevel);
   const int coarsest = std::max(std::countr_zero(used) - kCoarserLevels, 0);

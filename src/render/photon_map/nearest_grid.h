@@ -12,7 +12,9 @@ class NearestGrid {
   NearestGrid(const Stage& stage, const StoredPhotons& photons, uint nearest);
   [[nodiscard]] bool isEmpty() const { return levels_ == 0; }
   void bind(gpu::BindingTable& table) const;
-  [[nodiscard]] MapNearestPush push(uint source, MapKind kind) const { return {source, kind == MapKind::global, levels_, nearest_}; }
+  [[nodiscard]] MapNearestPush push(uint source, MapKind kind) const {
+    return {source, kind == MapKind::global, levels_, nearest_};
+  }
   [[nodiscard]] std::uint64_t bytes() const { return grid_.bytes() + flux_.allocatedBytes(); }
 
  private:

@@ -32,10 +32,14 @@ void PhotonMap::addBatch(const Stage& stage, const ImportanceMap& importance, co
   selectRecords(stage, recordMask(photons_.kind()));
   overTiles(stage, stage.kernels.fluxSum, table, kCounterSelected, FluxSumPush{kSumHits, kCounterSelected});
   isThinned_ = rule.control == DensityControl::probability;
-  if (isThinned_) storeByProbability(stage, table, photons_, rule);
-  else if (rule.control == DensityControl::off) storeAll(stage, table, photons_);
-  else if (rule.receivers == 0) byCells_.control(stage, table, photons_);
-  else byQuota_.control(stage, table, photons_, grid_, importance, rule);
+  if (isThinned_)
+    storeByProbability(stage, table, photons_, rule);
+  else if (rule.control == DensityControl::off)
+    storeAll(stage, table, photons_);
+  else if (rule.receivers == 0)
+    byCells_.control(stage, table, photons_);
+  else
+    byQuota_.control(stage, table, photons_, grid_, importance, rule);
   setCounter(stage, photons_.counter(kMapStored), 0, kCounterStored);
   setCounter(stage, photons_.counter(kMapOverflow), 0, kCounterOverflow);
   addCounter(stage, kCounterSelected, photons_.counter(kMapHits));
@@ -69,9 +73,12 @@ void PhotonMap::estimateIrradiance(const Stage& stage, const ImportanceMap& impo
   bindFinished(table);
   table.set(kBindingPoints, atPhotons ? grid_.points : importance.grid.points);
   table.set(kBindingPointsOut, irradiance_);
-  const IrradianceEstimatePush push{static_cast<uint>(points), photons_.kind() == MapKind::global, atPhotons, levelsCounter()};
-  if (atPhotons) overItems(stage, stage.kernels.irradianceEstimate, table, kCounterStored, push);
-  else stage.recorder.dispatch(stage.kernels.irradianceEstimate, table, push.count, push);
+  const IrradianceEstimatePush push{static_cast<uint>(points), photons_.kind() == MapKind::global, atPhotons,
+                                    levelsCounter()};
+  if (atPhotons)
+    overItems(stage, stage.kernels.irradianceEstimate, table, kCounterStored, push);
+  else
+    stage.recorder.dispatch(stage.kernels.irradianceEstimate, table, push.count, push);
 }
 
 void PhotonMap::bindIrradiance(gpu::BindingTable& table) const {
@@ -84,8 +91,10 @@ MapIrradiancePush PhotonMap::irradiancePush(uint source) const {
 }
 
 void PhotonMap::bindNearest(gpu::BindingTable& table) const {
-  if (nearest_->isEmpty()) bindFinished(table);
-  else nearest_->bind(table);
+  if (nearest_->isEmpty())
+    bindFinished(table);
+  else
+    nearest_->bind(table);
 }
 
 void PhotonMap::bindFinished(gpu::BindingTable& table) const {

@@ -15,7 +15,8 @@ namespace importon {
 struct PhotonMapCounts {
   std::uint64_t hits = 0, stored = 0, redistributed = 0, overflow = 0;
   std::array<double, 3> fluxHits{}, fluxMap{};  // W
-  bool isEnergyExact = true;  // to the last bit of the fixed point: the two, or by probability what was kept and the map
+  bool isEnergyExact =
+      true;  // to the last bit of the fixed point: the two, or by probability what was kept and the map
 };
 
 class PhotonMap {
@@ -33,6 +34,8 @@ class PhotonMap {
   /// Precomputes irradiance at the photons of the finished map, or at the importons.
   void estimateIrradiance(const Stage& stage, const ImportanceMap& importance, bool atPhotons);
 
+  /// False before the first pass: there is nothing to read.
+  [[nodiscard]] bool isFinished() const { return static_cast<bool>(grid_.points); }
   /// True if the finished map is read by the nearest photons, by map_nearest; and that kernel's bindings.
   [[nodiscard]] bool isReadByNearest() const { return nearest_.has_value(); }
   void bindNearest(gpu::BindingTable& table) const;
@@ -52,8 +55,8 @@ class PhotonMap {
   [[nodiscard]] PhotonMapCounts readCounts(const Stage& stage, float fluxScale) const;
   /// The photons of a finished map, render space, after the device is done with it.
   [[nodiscard]] std::vector<MapPoint> readPoints(const Stage& stage) const;
-  /// Device memory of all that the map holds: photons, their flux and grid, the table of cells, the grids of batches and
-  /// of lookups of the nearest, and irradiance.
+  /// Device memory of all that the map holds: photons, their flux and grid, the table of cells, the grids of batches
+  /// and of lookups of the nearest, and irradiance.
   [[nodiscard]] std::uint64_t bytes() const;
 
  private:

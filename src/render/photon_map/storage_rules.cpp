@@ -13,7 +13,9 @@ void StorageByCells::clear(const Stage& stage) {
 }
 
 void StorageByCells::makeRoom(const Stage& stage, std::uint64_t cells, const StoredPhotons& photons) {
-  const auto slotsFor = [](std::uint64_t taken) { return taken + taken / 4 + 1; };  // lib/photon_cell.glsl's load of 0.8
+  const auto slotsFor = [](std::uint64_t taken) {
+    return taken + taken / 4 + 1;
+  };  // lib/photon_cell.glsl's load of 0.8
   const std::uint64_t most = slotsFor(photons.capacity()), slots = cells_.bytes() / sizeof(PhotonCell);
   if (slots >= std::min(slotsFor(cells), most)) return;
   const gpu::Buffer old = std::move(cells_);
@@ -47,7 +49,8 @@ void StorageByQuota::control(const Stage& stage, gpu::BindingTable& table, Store
   const uint hits = readCounter(stage, kCounterSelected);
   makeRoomIn(stage, batch_, "batch", hits, stage.work.size.records);
   reserveEntries(stage, hits);
-  overItems(stage, kernels.hitKey, table, kCounterSelected, HitKeyPush{photons.kind() == MapKind::global, batch_.slotMask, true});
+  overItems(stage, kernels.hitKey, table, kCounterSelected,
+            HitKeyPush{photons.kind() == MapKind::global, batch_.slotMask, true});
   buildGrid(stage, batch_, kCounterSelected, stage.work.selectedPoints);
   table.set(kBindingValuesIn, batch_.order);
   if (hasStored_) {
@@ -55,12 +58,14 @@ void StorageByQuota::control(const Stage& stage, gpu::BindingTable& table, Store
     overItems(stage, kernels.photonQuota, table, kCounterSelected, PhotonQuotaPush{0, 0, rule.acceptance, rule.fewest});
   }
   bindStored(table, batch_);
-  overItems(stage, kernels.photonQuota, table, kCounterSelected, PhotonQuotaPush{1, hasStored_, rule.acceptance, rule.fewest});
+  overItems(stage, kernels.photonQuota, table, kCounterSelected,
+            PhotonQuotaPush{1, hasStored_, rule.acceptance, rule.fewest});
   photons.store(stage, table);
   photons.countStored(stage);
   photons.sortInto(stage, grid, importance, false);
   bindStored(table, grid);
-  overItems(stage, kernels.photonRedistribute, table, kCounterSelected, PhotonRedistributePush{rule.receivers, rule.shares});
+  overItems(stage, kernels.photonRedistribute, table, kCounterSelected,
+            PhotonRedistributePush{rule.receivers, rule.shares});
   photons.store(stage, table);  // those without a receiver
   photons.countStored(stage);
   hasStored_ = true;
@@ -76,7 +81,8 @@ void storeByProbability(const Stage& stage, gpu::BindingTable& table, StoredPhot
 }
 
 void storeAll(const Stage& stage, gpu::BindingTable& table, StoredPhotons& photons) {
-  overItems(stage, stage.kernels.hitKey, table, kCounterSelected, HitKeyPush{photons.kind() == MapKind::global, 0, false});
+  overItems(stage, stage.kernels.hitKey, table, kCounterSelected,
+            HitKeyPush{photons.kind() == MapKind::global, 0, false});
   photons.store(stage, table);
   photons.countStored(stage);
 }

@@ -19,8 +19,8 @@ class StorageByCells {
   gpu::Buffer cells_;  // a hash table of PhotonCell
 };
 
-/// Hits near which fewer than the quota fell before them are stored; the power of the others goes to the nearest photons,
-/// those of the batch among them. [Suykens and Willems 2000]
+/// Hits near which fewer than the quota fell before them are stored; the power of the others goes to the nearest
+/// photons, those of the batch among them. [Suykens and Willems 2000]
 class StorageByQuota {
  public:
   void clear() { hasStored_ = false; }
@@ -34,8 +34,8 @@ class StorageByQuota {
   PointGrid batch_;
 };
 
-/// Each hit is stored with the probability that brings the density expected of them to the required one, and with as much
-/// more power. [Keller and Wald 2000]
+/// Each hit is stored with the probability that brings the density expected of them to the required one, and with as
+/// much more power. [Keller and Wald 2000]
 void storeByProbability(const Stage& stage, gpu::BindingTable& table, StoredPhotons& photons, const StorageRule& rule);
 
 /// All hits are stored.

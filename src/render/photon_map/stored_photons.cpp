@@ -21,7 +21,9 @@ StoredPhotons::StoredPhotons(gpu::Context& context, MapKind kind, std::uint64_t 
       flux_(context, "photon flux", kFluxBytes),
       totals_(context, "flux totals", 18 * sizeof(uint)) {}
 
-uint StoredPhotons::counter(uint which) const { return kCounterMap + kCountersPerMap * static_cast<uint>(kind_) + which; }
+uint StoredPhotons::counter(uint which) const {
+  return kCounterMap + kCountersPerMap * static_cast<uint>(kind_) + which;
+}
 
 void StoredPhotons::clear(const Stage& stage) {
   for (const uint which : {kMapStored, kMapOverflow, kMapHits, kMapHits + 1}) setCounter(stage, counter(which), 0);
@@ -57,7 +59,8 @@ void StoredPhotons::countStored(const Stage& stage) const {
   setCounter(stage, kCounterStored, 0, kCounterStored, kCounterAccepted, static_cast<uint>(capacity_));
 }
 
-void StoredPhotons::sortInto(const Stage& stage, PointGrid& grid, const ImportanceMap& importance, bool isFinished) const {
+void StoredPhotons::sortInto(const Stage& stage, PointGrid& grid, const ImportanceMap& importance,
+                             bool isFinished) const {
   makeRoomIn(stage, grid, "stored photons", count_, capacity_);
   reserveEntries(stage, count_);
   gpu::BindingTable table = stage.work.table;

@@ -14,7 +14,8 @@ class StoredPhotons {
   void clear(const Stage& stage);
   /// Binds what a batch of hits adds to.
   void bind(gpu::BindingTable& table) const;
-  /// Stores the selected hits that work.keep marks; with the weights of work.required if `isWeighted`. Waits for the device.
+  /// Stores the selected hits that work.keep marks; with the weights of work.required if `isWeighted`. Waits for the
+  /// device.
   void store(const Stage& stage, gpu::BindingTable& table, bool isWeighted = false);
   /// Adds those that were stored last to kCounterStored.
   void countStored(const Stage& stage) const;

@@ -50,7 +50,8 @@ void tracePhotons(const Stage& stage, const PhotonSource& source, std::uint32_t 
   tracePaths(stage, table, source.kind, source.scatter, stream, count, maxDepth);
 }
 
-void trainScatterGuide(const Stage& stage, const ImportanceMap& importance, ScatterGuide& guide, const ScatterBatch& batch) {
+void trainScatterGuide(const Stage& stage, const ImportanceMap& importance, ScatterGuide& guide,
+                       const ScatterBatch& batch) {
   gpu::BindingTable table = stage.work.table;
   importance.bind(table);
   if (batch.sites != nullptr) batch.sites->bind(table);
@@ -58,8 +59,9 @@ void trainScatterGuide(const Stage& stage, const ImportanceMap& importance, Scat
   setCounter(stage, kCounterRecords, 0);
   setCounter(stage, kCounterQueueA, batch.count);
   const auto sites = static_cast<uint>(importance.sites());
-  stage.recorder.dispatch(stage.kernels.siteEmit, table, batch.count,
-                          SiteEmitPush{batch.first, batch.count, sites, batch.meanImportance, batch.hitsPerPass, guide.isPotential()});
+  stage.recorder.dispatch(
+      stage.kernels.siteEmit, table, batch.count,
+      SiteEmitPush{batch.first, batch.count, sites, batch.meanImportance, batch.hitsPerPass, guide.isPotential()});
   tracePaths(stage, table, MapKind::global, nullptr, kStreamSites, batch.count, batch.maxDepth);
   selectRecords(stage, recordMask(MapKind::global));
   guide.train(stage);

@@ -8,8 +8,8 @@ namespace importon {
 /// Which photons: for the global map (all paths) or for the caustic map (light, specular events, first other one).
 struct PhotonSource {
   MapKind kind = MapKind::global;
-  const EmissionGuide* guide = nullptr;  // null: emission by power
-  bool isPilot = false;                  // with random numbers that no photon of a map has
+  const EmissionGuide* guide = nullptr;   // null: emission by power
+  bool isPilot = false;                   // with random numbers that no photon of a map has
   const ScatterGuide* scatter = nullptr;  // null: by the material alone; else of the global map
 };
 
@@ -19,6 +19,7 @@ void tracePhotons(const Stage& stage, const PhotonSource& source, std::uint32_t 
 
 /// Traces importance from the sites of the global map as if it were photons; what it meets is left in the records, and
 /// trains `guide`.
-void trainScatterGuide(const Stage& stage, const ImportanceMap& importance, ScatterGuide& guide, const ScatterBatch& batch);
+void trainScatterGuide(const Stage& stage, const ImportanceMap& importance, ScatterGuide& guide,
+                       const ScatterBatch& batch);
 
 }  // namespace importon

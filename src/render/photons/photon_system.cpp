@@ -1,8 +1,8 @@
 #include "render/photons/photon_system.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "base/error.h"
 #include "render/lists/lists.h"
@@ -16,7 +16,8 @@ PhotonSystem::PhotonSystem(PassContext& context, MapKind k)
                                    context.plan.importons * (std::uint64_t{context.parameters.maxDepth} + 1),
                                    context.plan.workspace.hasDifferentials)),
       control(context.job.control) {
-  if (isUsed && context.features.needsPhotonMap(kind)) map.emplace(context.device->context, kind, context.plan.capacityFor(kind));
+  if (isUsed && context.features.needsPhotonMap(kind))
+    map.emplace(context.device->context, kind, context.plan.capacityFor(kind));
 }
 
 PhotonSource PhotonSystem::source(bool isPilot) const {
@@ -39,8 +40,10 @@ void PhotonSystem::shoot(PassContext& context, bool isFirst, const std::function
   for (std::uint32_t first = 0; first < photons; first += batch) {
     tracePhotons(stage, source(false), first, std::min(batch, photons - first), context.parameters.maxDepth);
     if (addBatch) addBatch();
-    if (map) map->addBatch(stage, importance, storageRule(context.plan));
-    else if (isTraining) selectRecords(stage, recordMask(kind));
+    if (map)
+      map->addBatch(stage, importance, storageRule(context.plan));
+    else if (isTraining)
+      selectRecords(stage, recordMask(kind));
     if (isTraining) emission->train(stage, importance, context.meanImportance());
   }
   if (!map) return;
@@ -75,8 +78,9 @@ void tightenDensityLimit(PassContext& context, PhotonSystem& caustic, PhotonSyst
     throw DeviceError("the photon maps", fmt::format("no room for {} photons", mostPhotons), "raise --memory");
   context.parameters.globalMap.densityLimit = context.parameters.causticMap.densityLimit = limit;
   caustic.control = global.control = DensityControl::density;
-  context.log.warn("photon map full", "the photon maps need more than --memory allows: fewer photons are stored than "
-                                      "required, each with more power");
+  context.log.warn("photon map full",
+                   "the photon maps need more than --memory allows: fewer photons are stored than "
+                   "required, each with more power");
 }
 
 }  // namespace importon

@@ -9,13 +9,14 @@
 namespace importon {
 namespace {
 
-constexpr std::uint32_t kEnoughSteps = 32;             // into which a pass's photons are cut to see when it is enough
+constexpr std::uint32_t kEnoughSteps = 32;  // into which a pass's photons are cut to see when it is enough
 constexpr std::uint32_t kFewestInStep = 512;
 constexpr std::uint32_t kScatterImportons = 1u << 17;  // that train scattering, at most
 constexpr std::uint32_t kMostBatches = 64;             // of them, however small the batches are
 constexpr float kPassesInCells = 4;                    // in each half of the surface cells before they are cut anew
 
-/// Traces importance from where the image reads the map, which trains photons which way to scatter. [Peter and Pietrek 1998]
+/// Traces importance from where the image reads the map, which trains photons which way to scatter. [Peter and Pietrek
+/// 1998]
 void trainScatter(PassContext& context, PhotonSystem& system) {
   const bool isGuided = context.job.scatter != ScatterChoice::material && traitsOf(system.kind).guidesScatter;
   if (!isGuided || system.importance.count == 0) return;
@@ -49,11 +50,14 @@ void trainEmission(PassContext& context, PhotonSystem& system) {
   const Stage stage = context.stage();
   const MapTraits traits = traitsOf(system.kind);
   context.beginPilot();
-  EmissionGuide& guide = system.emission.emplace(stage.gpu, context.scene, system.kind, traits.guideBins, context.job.guideWeight);
-  const std::uint32_t perPass = context.plan.whole.photonsFor(system.kind), photons = std::min(context.plan.batch, perPass);
+  EmissionGuide& guide =
+      system.emission.emplace(stage.gpu, context.scene, system.kind, traits.guideBins, context.job.guideWeight);
+  const std::uint32_t perPass = context.plan.whole.photonsFor(system.kind),
+                      photons = std::min(context.plan.batch, perPass);
   tracePilot(context, system.source(false), 0, photons);
   if (context.job.guideWeight == GuideWeight::deficit)
-    guide.followDeficits(stage, system.importance, context.parameters, static_cast<float>(perPass) / static_cast<float>(photons));
+    guide.followDeficits(stage, system.importance, context.parameters,
+                         static_cast<float>(perPass) / static_cast<float>(photons));
   guide.train(stage, system.importance, context.meanImportance());
   stage.recorder.submitAndWait();
   guide.update();
@@ -85,7 +89,8 @@ void tracePilot(PassContext& context, const PhotonSource& source, std::uint32_t 
   context.stats.photonsPilot += count;
 }
 
-void tracePilots(PassContext& context, const PhotonSource& source, std::uint32_t photons, const std::function<void()>& count) {
+void tracePilots(PassContext& context, const PhotonSource& source, std::uint32_t photons,
+                 const std::function<void()>& count) {
   for (std::uint32_t first = 0; first < photons; first += context.plan.batch) {
     tracePilot(context, source, first, std::min(context.plan.batch, photons - first));
     count();
@@ -147,7 +152,8 @@ void requireLessInOtherLight(PassContext& context, PhotonSystem& caustic, const 
   std::vector<LightPoint> light;
   addPilotLight(context, caustic.kind, light);
   addPilotLight(context, global.kind, light);
-  scaleByCausticShare(context.stage(), caustic.importance, LightShare(light, context.parameters.gridOrigin, context.parameters.gridExtent));
+  scaleByCausticShare(context.stage(), caustic.importance,
+                      LightShare(light, context.parameters.gridOrigin, context.parameters.gridExtent));
 }
 
 }  // namespace importon

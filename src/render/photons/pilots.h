@@ -8,7 +8,8 @@ namespace importon {
 void tracePilot(PassContext& context, const PhotonSource& source, std::uint32_t first, std::uint32_t count);
 
 /// The first `photons` of them in batches, with `count` after each; waits for the device.
-void tracePilots(PassContext& context, const PhotonSource& source, std::uint32_t photons, const std::function<void()>& count);
+void tracePilots(PassContext& context, const PhotonSource& source, std::uint32_t photons,
+                 const std::function<void()>& count);
 
 /// Trains the guides of a system, scattering first, and drops those that do not pay.
 void trainGuides(PassContext& context, PhotonSystem& system);

@@ -24,9 +24,12 @@ const Camera& chooseCamera(const Scene& scene, const RenderJob& job) {
 
 glm::ivec2 chooseSize(const Camera& camera, const RenderJob& job) {
   double aspect = 4.0 / 3.0;
-  if (camera.width > 0 && camera.height > 0) aspect = static_cast<double>(camera.width) / camera.height;
-  else if (camera.isOrthographic) aspect = camera.xmag / camera.ymag;
-  else if (camera.aspectRatio > 0) aspect = camera.aspectRatio;
+  if (camera.width > 0 && camera.height > 0)
+    aspect = static_cast<double>(camera.width) / camera.height;
+  else if (camera.isOrthographic)
+    aspect = camera.xmag / camera.ymag;
+  else if (camera.aspectRatio > 0)
+    aspect = camera.aspectRatio;
   const auto rounded = [](double v) { return std::max(1, static_cast<int>(std::lround(v))); };
   if (job.width && job.height) return {*job.width, *job.height};
   if (job.width) return {*job.width, rounded(*job.width / aspect)};

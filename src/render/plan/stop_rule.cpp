@@ -6,8 +6,8 @@
 namespace importon {
 namespace {
 
-constexpr int kFirstEstimate = 4;   // passes: two in each half
-constexpr double kLeastStep = 1.1;  // passes between two estimates, as a factor
+constexpr int kFirstEstimate = 4;    // passes: two in each half
+constexpr double kLeastStep = 1.1;   // passes between two estimates, as a factor
 constexpr double kFixedShare = 0.1;  // of a whole pass's time, that smaller ones take too
 constexpr double kStartSeconds = 1;
 constexpr double kLeastSlope = 0.2, kMostSlope = 0.5;
@@ -19,10 +19,13 @@ double shareOfTime(int parts) { return kFixedShare + (1 - kFixedShare) * parts /
 
 StopRule::StopRule(const RenderJob& job, int maxPasses, double finishSeconds)
     : maxPasses_(maxPasses), budget_(job.seconds.value_or(-1)), outputSeconds_(finishSeconds) {
-  if (job.error) target_ = *job.error;
-  else if (!job.passes && !job.seconds) target_ = kDefaultError;
+  if (job.error)
+    target_ = *job.error;
+  else if (!job.passes && !job.seconds)
+    target_ = kDefaultError;
   // Passes are alike where their number alone or what they do is given, and where an expected density rests on that.
-  beginsSmall_ = job.integrator == Integrator::photon && (job.seconds || target_ >= 0) && !job.gather && job.control != DensityControl::probability;
+  beginsSmall_ = job.integrator == Integrator::photon && (job.seconds || target_ >= 0) && !job.gather &&
+                 job.control != DensityControl::probability;
   endsSmall_ = beginsSmall_ && job.checkpoint.empty();
 }
 
@@ -60,7 +63,8 @@ int StopRule::partsOfNext(int passes, double secondsSinceStart) const {
   if (passes >= maxPasses_) return 0;
   if (target_ >= 0 && trend_.passes == passes && passes > 0 && trend_.error <= target_) return 0;
   int parts = kPartsOfPass;
-  if (beginsSmall_) parts = std::min(1 << std::min(passes / 2, 10), kPartsOfPass);  // passes come in pairs: one for each half
+  if (beginsSmall_)
+    parts = std::min(1 << std::min(passes / 2, 10), kPartsOfPass);  // passes come in pairs: one for each half
   if (budget_ < 0 || passes == 0) return parts;
   const double left = budget_ - secondsSinceStart - estimateSeconds_ - outputSeconds_;
   while (passSeconds_ * shareOfTime(parts) > left) {

@@ -48,11 +48,11 @@ class StopRule {
   [[nodiscard]] double passesToTarget() const;
 
   int maxPasses_;
-  double budget_ = -1;       // s since the process started, negative: none
-  double target_ = -1;       // error, negative: none
+  double budget_ = -1;        // s since the process started, negative: none
+  double target_ = -1;        // error, negative: none
   bool beginsSmall_ = false;  // the first passes are smaller than whole ones
   bool endsSmall_ = false;    // so are the last ones of a time budget
-  double passSeconds_ = 0;   // of a whole pass, from the slower of the last two
+  double passSeconds_ = 0;    // of a whole pass, from the slower of the last two
   double lastPassSeconds_ = 0;
   double estimateSeconds_ = 0, outputSeconds_ = 0;
   ErrorTrend trend_;

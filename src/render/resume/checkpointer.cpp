@@ -9,7 +9,8 @@ constexpr std::chrono::seconds kInterval{60};
 
 }  // namespace
 
-Checkpointer::Checkpointer(const RenderJob& job, std::uint64_t fingerprint, Log& log) : job_(job), fingerprint_(fingerprint), log_(log) {
+Checkpointer::Checkpointer(const RenderJob& job, std::uint64_t fingerprint, Log& log)
+    : job_(job), fingerprint_(fingerprint), log_(log) {
   if (job.resume.empty()) return;
   start_ = readCheckpoint(job.resume);
   if (start_->fingerprint != fingerprint)

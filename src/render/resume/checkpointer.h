@@ -11,8 +11,8 @@ namespace importon {
 
 class Checkpointer {
  public:
-  /// Reads the job's checkpoint to resume from, if it names one. `fingerprint`: of the run, whatever decides the bits of
-  /// the image but the number of passes. Throws SceneError.
+  /// Reads the job's checkpoint to resume from, if it names one. `fingerprint`: of the run, whatever decides the bits
+  /// of the image but the number of passes. Throws SceneError.
   Checkpointer(const RenderJob& job, std::uint64_t fingerprint, Log& log);
   /// Passes that are done already; 0 for a fresh start.
   [[nodiscard]] int passes() const { return start_ ? start_->passes : 0; }

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "base/hash.h"
-#include "render/plan/camera_setup.h"
 #include "render/options/option_table.h"
+#include "render/plan/camera_setup.h"
 
 namespace importon {
 namespace {

@@ -23,7 +23,7 @@ struct Kept {
 
 /// A value of the host, which must stay where it is.
 template <class T>
-  requires std::is_trivially_copyable_v<T>
+requires std::is_trivially_copyable_v<T>
 [[nodiscard]] Kept keep(std::string name, T& value) {
   const auto save = [&value] {
     const auto bytes = std::as_bytes(std::span(&value, 1));

@@ -5,7 +5,8 @@
 
 namespace importon {
 
-/// Nodes are cells, by their number, and groups, by their number plus that of cells. A group's members lie side by side.
+/// Nodes are cells, by their number, and groups, by their number plus that of cells. A group's members lie side by
+/// side.
 struct CellTree {
   std::vector<uvec4> groups;  // first member, their end, group that it is in (kNone: none), area (m², bits of a float)
   std::vector<uint> members;  // nodes
@@ -13,8 +14,8 @@ struct CellTree {
   std::vector<uint> levels;   // first group of each level, and the end: members of a level's groups are of lower levels
 };
 
-/// A triangle's cells in blocks of 2 x 2 steps of its barycentric grid, and these in blocks of 2 x 2. Cells that several
-/// triangles share stay alone.
+/// A triangle's cells in blocks of 2 x 2 steps of its barycentric grid, and these in blocks of 2 x 2. Cells that
+/// several triangles share stay alone.
 [[nodiscard]] CellTree growCellTree(const SurfaceCells& cells);
 
 }  // namespace importon

@@ -9,8 +9,9 @@ using gpu::TexelFormat;
 
 namespace {
 
-constexpr std::size_t kBytesPerGroup = 64;    // two sides: shaders/bindings/cell_groups.glsl
-constexpr std::size_t kWordsPerSide = 8;      // six of flux, photons, squares: shaders/kernels/surface_cache/irradiance_add.comp
+constexpr std::size_t kBytesPerGroup = 64;  // two sides: shaders/bindings/cell_groups.glsl
+constexpr std::size_t kWordsPerSide =
+    8;  // six of flux, photons, squares: shaders/kernels/surface_cache/irradiance_add.comp
 
 /// A buffer of at least one element.
 template <class T>
@@ -97,8 +98,8 @@ PhotonMapCounts IrradianceMap::readFlux() const {
 
 std::uint64_t IrradianceMap::bytes() const {
   std::uint64_t bytes = 0;
-  for (const gpu::Buffer* buffer : {&surface_, &halves_[0], &halves_[1], &groups_, &members_, &places_, &groupLight_,
-                                    &irradiance_, &totals_})
+  for (const gpu::Buffer* buffer :
+       {&surface_, &halves_[0], &halves_[1], &groups_, &members_, &places_, &groupLight_, &irradiance_, &totals_})
     bytes += buffer->allocatedBytes();
   return bytes;
 }

@@ -3,8 +3,8 @@
 /// edges, and what all passes brought counts. Cells are smaller than their photons are many: neighbours share theirs
 /// where they do not differ by more than noise. [Arvo 1986, Heckbert 1990; Christensen 1999]
 #pragma once
-#include "render/surface_cache/cell_tree.h"
 #include "render/photon_map/photon_map.h"
+#include "render/surface_cache/cell_tree.h"
 #include "render/surface_cache/surface_cells.h"
 
 namespace importon {

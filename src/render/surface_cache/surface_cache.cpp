@@ -1,10 +1,10 @@
 #include "render/surface_cache/surface_cache.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
-
-#include <fmt/format.h>
 
 #include "render/photons/pilots.h"
 
@@ -52,7 +52,8 @@ void SurfaceCache::learnHits() {
   const std::uint32_t pilot = std::min({context_.plan.batch, context_.plan.whole.photons, kPilotPhotons});
   if (pilot > 0) tracePilot(context_, {MapKind::global, nullptr, true}, 0, pilot);
   context_.recorder.submitAndWait();
-  hits_ = densityOfRecords(static_cast<float>(context_.plan.whole.photons) / static_cast<float>(std::max(pilot, 1u)), false);
+  hits_ = densityOfRecords(static_cast<float>(context_.plan.whole.photons) / static_cast<float>(std::max(pilot, 1u)),
+                           false);
 }
 
 void SurfaceCache::cut(int generation) {
@@ -65,7 +66,8 @@ void SurfaceCache::cut(int generation) {
     const double required = importance_->at(position) * static_cast<double>(parameters.globalMap.photonsPerPixel);
     return growth * std::max(floor, std::min(required, hits_->at(position) / kHitsPerCell));
   };
-  // Room for all passes of the generation; units as fine as that allows, for the light of weak lamps beside strong ones.
+  // Room for all passes of the generation; units as fine as that allows, for the light of weak lamps beside strong
+  // ones.
   parameters.irradianceUnits = parameters.fluxScale / std::ldexp(1.0f, 3 * (generation + 1));
   irradiance_.reset();  // its memory is needed
   parameters.photonUnits = photonUnits(parameters, context_.plan.whole.photons);

@@ -17,6 +17,8 @@ class SurfaceCache {
   /// They follow the hits of a pass too: shoots a few photons to see where they fall.
   void learnHits();
   [[nodiscard]] bool isUsed() const { return hits_.has_value(); }
+  /// False before the first pass.
+  [[nodiscard]] bool hasCells() const { return irradiance_.has_value(); }
 
   /// Cuts the cells anew where pass `pass` asks for it; sets the parameters of the pass and binds what it needs.
   void beginPass(int pass);

@@ -9,10 +9,10 @@ namespace importon {
 namespace {
 
 constexpr double kMostSubdivisions = 2047;
-constexpr double kLongest = 4;        // side of a cell over the root of the area asked for, at most
-constexpr double kStepsPerOctave = 2;  // sizes of the cells that small triangles share
+constexpr double kLongest = 4;              // side of a cell over the root of the area asked for, at most
+constexpr double kStepsPerOctave = 2;       // sizes of the cells that small triangles share
 constexpr std::size_t kAlwaysRoomFor = 64;  // cells
-constexpr int kMostSamples = 12;       // of the density along a triangle's side
+constexpr int kMostSamples = 12;            // of the density along a triangle's side
 
 struct Piece {
   double area = 0, longest = 0;  // m², m
@@ -42,7 +42,9 @@ std::vector<Piece> measure(const Scene& scene, const std::function<double(vec3)>
     for (std::size_t i = begin; i < end; ++i) {
       const Triangle& t = scene.triangles[i];
       const std::array<vec3, 3> p{scene.positions[t.v0], scene.positions[t.v1], scene.positions[t.v2]};
-      const auto length = [&](int a, int b) { return static_cast<double>(glm::distance(p[static_cast<std::size_t>(a)], p[static_cast<std::size_t>(b)])); };
+      const auto length = [&](int a, int b) {
+        return static_cast<double>(glm::distance(p[static_cast<std::size_t>(a)], p[static_cast<std::size_t>(b)]));
+      };
       Piece& piece = pieces[i];
       piece.area = 0.5 * static_cast<double>(glm::length(glm::cross(p[1] - p[0], p[2] - p[0])));
       piece.longest = std::max({length(0, 1), length(1, 2), length(2, 0)});
@@ -72,7 +74,8 @@ std::uint64_t sharedCell(const Scene& scene, const Triangle& t, double density) 
   key ^= key >> 29;
   for (int axis = 0; axis < 3; ++axis) {
     const double at = static_cast<double>((p0[axis] + p1[axis] + p2[axis]) / 3 - scene.boundsMin[axis]) / edge;
-    const auto part = static_cast<std::uint64_t>(std::clamp(at, 0.0, 1e15)) << 3 | static_cast<std::uint64_t>(std::round(facing[axis] * 1.9f) + 2);
+    const auto part = static_cast<std::uint64_t>(std::clamp(at, 0.0, 1e15)) << 3 |
+                      static_cast<std::uint64_t>(std::round(facing[axis] * 1.9f) + 2);
     key = (key ^ part) * 0x9E3779B97F4A7C15u;
     key ^= key >> 29;
   }
@@ -118,7 +121,8 @@ SurfaceCells cutSurfaces(const Scene& scene, const std::function<double(vec3)>& 
   const std::vector<Piece> pieces = measure(scene, density, threads);
   const double most = static_cast<double>(mostCells);
   double scale = 1;
-  for (double cells = countCells(pieces, scale); cells > most; cells = countCells(pieces, scale)) scale *= 0.9 * most / cells;
+  for (double cells = countCells(pieces, scale); cells > most; cells = countCells(pieces, scale))
+    scale *= 0.9 * most / cells;
   for (;;) {
     SurfaceCells cells = layOut(scene, pieces, scale);
     if (cells.areas.size() <= mostCells || cells.areas.size() <= kAlwaysRoomFor) return cells;
