@@ -17,6 +17,7 @@ struct Unpacked {
   uint levelAfterChange;
   vec3 directionAfterChange;
   uint isLikeSelf;  // the packed normal is like the true one
+  uint isLikeOpposite;  // and like that of the other side
 };
 
 layout(binding = 0, scalar) readonly buffer In { Plain items[]; };
@@ -31,5 +32,6 @@ void main() {
   const uint changed = withMapPointLevel(packed, 20u - p.level);
   results[i] = Unpacked(mapPointDirection(packed), mapPointNormal(packed), mapPointLevel(packed),
                         mapPointLevel(changed), mapPointDirection(changed),
-                        uint(hasLikeNormal(packed, p.normal, kLikeNormal)));
+                        uint(hasLikeNormal(packed, p.normal, kLikeNormal)),
+                        uint(hasLikeNormal(packed, -p.normal, kLikeNormal)));
 }

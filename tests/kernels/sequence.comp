@@ -1,4 +1,4 @@
-// Points of the random sequences.
+// Points of the random sequences, and long indices.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -17,5 +17,9 @@ void main() {
   const uint i = invocationIndex();
   if (i >= count) return;
   const Key k = items[i];
+  if (k.pair == 0xFFFFFFFFu) {  // both words of item `index` from (seed, stream) on
+    results[i] = vec2(longIndex(uvec2(k.seed, k.stream), k.index));
+    return;
+  }
   results[i] = sequencePoint(hashCombine(k.seed, k.stream), k.index, k.pair);
 }

@@ -21,7 +21,7 @@ struct Unpacked {
   vec3 direction, normal;
   uint level, levelAfterChange;
   vec3 directionAfterChange;
-  uint isLikeSelf;
+  uint isLikeSelf, isLikeOpposite;
 };
 
 /// Largest angle, in radians, between a vector and what an octahedral map of bitsX and bitsY gives back: half a
@@ -81,8 +81,11 @@ TEST_F(MapPointPacking, NormalsAreWithinAStepOfElevenBits) {
   EXPECT_GE(largest, largestAngle(6, 5) * 0.8) << "packed in more bits than the format has";
 }
 
-TEST_F(MapPointPacking, APackedNormalIsLikeTheTrueOne) {
-  for (std::size_t i = 0; i < plain_.size(); ++i) ASSERT_EQ(unpacked_[i].isLikeSelf, 1u) << i;
+TEST_F(MapPointPacking, APackedNormalIsLikeTheTrueOneAndNotLikeThatOfTheOtherSide) {
+  for (std::size_t i = 0; i < plain_.size(); ++i) {
+    ASSERT_EQ(unpacked_[i].isLikeSelf, 1u) << i;
+    ASSERT_EQ(unpacked_[i].isLikeOpposite, 0u) << i;
+  }
 }
 
 TEST_F(MapPointPacking, LevelsComeBackAndChangeWithoutTheRest) {

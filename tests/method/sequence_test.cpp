@@ -27,6 +27,15 @@ class Sequence : public test::GpuTest {
   }
 };
 
+/// Items are whole numbers of 32 bits, also negative ones; what they are counted from has 64.
+TEST_F(Sequence, LongIndicesCarryAndBorrow) {
+  constexpr uint kLong = 0xFFFFFFFFu;  // asks for a long index
+  const std::vector<Key> keys{{5, 7, 9, kLong}, {0xFFFFFFFEu, 0, 3, kLong}, {1, 1, 0xFFFFFFFEu, kLong}};
+  const vec2 expected[] = {{14, 7}, {1, 1}, {4294967295.0f, 0}};  // low and high word
+  const auto found = points(keys);
+  for (std::size_t i = 0; i < keys.size(); ++i) EXPECT_EQ(found[i], expected[i]) << i;
+}
+
 std::vector<Key> oneStream(uint stream, uint pair, uint first, uint count) {
   std::vector<Key> keys;
   for (uint i = 0; i < count; ++i) keys.push_back({5, stream, first + i, pair});

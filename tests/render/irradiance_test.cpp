@@ -147,6 +147,20 @@ TEST_P(Irradiance, OfTinyAreaLightIsThatOfAPoint) {
                         })));
 }
 
+/// A shadow ray ends at the light.
+TEST_P(Irradiance, IsNotShadowedByWhatStandsBehindTheLight) {
+  constexpr double kHeight = 1.5, kArea = 1e-6, kRadiance = 1e6;
+  SceneBuilder builder = whitePlane(0.2);
+  builder.square(builder.material(emitter(vec3(static_cast<float>(kRadiance)))), {0, kHeight, 0}, {0, -1, 0},
+                 std::sqrt(kArea));
+  builder.square(builder.material(diffuse(vec3(0.0f))), {0, 1.1 * kHeight, 0}, {0, -1, 0}, 1);
+  const Scene scene = builder.finish();
+  EXPECT_TRUE(isImageOf(renderDirect(scene, 2).image, imageOf(scene, [](const glm::dvec3& p) {
+                          const double d2 = kHeight * kHeight + p.x * p.x + p.z * p.z;
+                          return kRadiance * kArea * kHeight * kHeight / (d2 * d2);
+                        })));
+}
+
 TEST_P(Irradiance, OfUniformEnvironmentIsPiTimesItsRadiance) {
   SceneBuilder builder = whitePlane();
   builder.environment(vec3(0.7f));
