@@ -136,6 +136,29 @@ TEST_F(DensityControlTest, ByQuotaStoresHitsBeforeWhichFewerThanTheQuotaFellNear
   }
 }
 
+/// What a batch stored for want of a receiver counts for the next one as well.
+TEST_F(DensityControlTest, ByQuotaSeesAllThatFormerBatchesStored) {
+  constexpr float kRequired = 100;  // photons/m²; 650 arrive in each of two batches
+  const Scene scene = plane();
+  RenderJob job = planeJob(kRequired, 1u << 13);
+  job.photonBatch = 1u << 12;
+  test::MapRig rig(context(), scene, job);
+  rig.parameters.quotaPhotons = 1;
+  const float radius = std::sqrt(1 / (static_cast<float>(M_PI) * kRequired));
+  const auto shoot = [&](std::uint32_t photons) {
+    rig.plan.whole.photons = photons;
+    std::vector<vec3> stored;
+    for (const MapPoint& photon : rig.photonsAsStored(rig.shoot(MapKind::global, DensityControl::density, 1)))
+      stored.push_back(photon.position);
+    return stored;
+  };
+  const std::vector<vec3> first = shoot(1u << 12), both = shoot(1u << 13);
+  ASSERT_GT(both.size(), first.size());
+  ASSERT_TRUE(std::equal(first.begin(), first.end(), both.begin()));
+  for (std::size_t i = first.size(); i < both.size(); ++i)
+    EXPECT_EQ(countWithin(first, first.size(), both[i], 0.49f * radius), 0u) << i;
+}
+
 // The ramp turns hits away below the required density too, the program's limits none among the first few.
 TEST_F(DensityControlTest, ByCosineStoresLessThanByStep) {
   const Scene scene = plane();

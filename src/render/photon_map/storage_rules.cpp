@@ -45,6 +45,7 @@ void StorageByCells::control(const Stage& stage, gpu::BindingTable& table, Store
 void StorageByQuota::control(const Stage& stage, gpu::BindingTable& table, StoredPhotons& photons, PointGrid& grid,
                              const ImportanceMap& importance, const StorageRule& rule) {
   const KernelSet& kernels = stage.kernels;
+  if (isGridOld_) photons.sortInto(stage, grid, importance, false);
   stage.recorder.submitAndWait();
   const uint hits = readCounter(stage, kCounterSelected);
   makeRoomIn(stage, batch_, "batch", hits, stage.work.size.records);
@@ -66,8 +67,10 @@ void StorageByQuota::control(const Stage& stage, gpu::BindingTable& table, Store
   bindStored(table, grid);
   overItems(stage, kernels.photonRedistribute, table, kCounterSelected,
             PhotonRedistributePush{rule.receivers, rule.shares});
+  const std::uint64_t inGrid = photons.count();
   photons.store(stage, table);  // those without a receiver
   photons.countStored(stage);
+  isGridOld_ = photons.count() > inGrid;
   hasStored_ = true;
 }
 

@@ -23,7 +23,7 @@ class StorageByCells {
 /// photons, those of the batch among them. [Suykens and Willems 2000]
 class StorageByQuota {
  public:
-  void clear() { hasStored_ = false; }
+  void clear() { hasStored_ = isGridOld_ = false; }
   /// `grid`: of the photons that are stored.
   void control(const Stage& stage, gpu::BindingTable& table, StoredPhotons& photons, PointGrid& grid,
                const ImportanceMap& importance, const StorageRule& rule);
@@ -31,6 +31,7 @@ class StorageByQuota {
 
  private:
   bool hasStored_ = false;
+  bool isGridOld_ = false;  // photons were stored since it was made
   PointGrid batch_;
 };
 
