@@ -26,7 +26,7 @@ class ProbabilityImage : public test::GpuTest {};
 TEST_F(ProbabilityImage, RendersTheMeanOfTheUncontrolledMap) {
   RenderJob job;
   job.passes = 1;
-  job.photons = 1u << 15;
+  job.photons = 1u << 16;
   job.importons = 1u << 10;
   job.globalDensity = 0.2;
   job.gather = 16;
