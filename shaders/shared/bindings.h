@@ -98,7 +98,7 @@ SHARED_CONST uint kBindingGroupLightOut = 88;      // storage: the same
 SHARED_CONST uint kBindingWeights = 56;        // texel float1: the same
 SHARED_CONST uint kBindingPathLight = 52;      // storage, PathLight[], by slot
 SHARED_CONST uint kBindingLookups = 78;         // storage, uint[]: slots of paths that ask for a map lookup
-SHARED_CONST uint kBindingSamplePlan = 77;      // texel uint2, one per pixel: src/render/film/sample_plan.h
+SHARED_CONST uint kBindingSamplePlan = 77;      // texel uint2, one per pixel: src/render/film/adaptive_sampler.h
 
 SHARED_CONST uint kBindingScatterGuide = 80;    // texel float1: lib/scatter_guide.glsl
 SHARED_CONST uint kBindingScatterSums = 81;     // storage, uint[]: importance that came to each of its bins

@@ -70,7 +70,7 @@ std::vector<EmittedPhoton> MapRig::emit(MapKind kind, const EmissionGuide* guide
   gpu::BindingTable table = work_->table;
   if (guide) guide->bind(table);
   table.set(kBindingQueue, work_->queueA);
-  const uint plain = kind == MapKind::global ? kStreamGlobalPhotons : kStreamCausticPhotons;
+  const uint plain = traitsOf(kind).randomStream;
   work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
   recorder_->dispatch(guide ? kernels_.photonEmitGuided : kernels_.photonEmit, table, plan.batch,
                       PhotonEmitPush{0, plan.batch, guide ? guide->stream() : plain, guide ? guide->bins() : 0,

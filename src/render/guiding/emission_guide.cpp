@@ -41,7 +41,7 @@ void sumUp(std::span<const double> shares, double total, std::vector<float>& out
 EmissionGuide::EmissionGuide(gpu::Context& context, const Scene& scene, MapKind kind, int bins, GuideWeight weight)
     : kind_(kind),
       bins_(chooseBins(scene.lights.size(), bins)),
-      stream_(kind == MapKind::global ? kStreamGlobalPhotons : kStreamCausticPhotons),
+      stream_(traitsOf(kind).randomStream),
       powers_(powersOf(scene)),
       weight_(weight) {
   const std::uint64_t rows = scene.lights.size() * bins_;

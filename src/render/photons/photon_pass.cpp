@@ -38,7 +38,7 @@ void tracePhotons(const Stage& stage, const PhotonSource& source, std::uint32_t 
                   uint maxDepth) {
   const KernelSet& kernels = stage.kernels;
   const bool isGlobal = source.kind == MapKind::global, isGuided = source.guide != nullptr;
-  const uint plain = isGlobal ? kStreamGlobalPhotons : kStreamCausticPhotons;
+  const uint plain = traitsOf(source.kind).randomStream;
   const uint stream = (isGuided ? source.guide->stream() : plain) + (source.isPilot ? kStreamPilot : 0);
   gpu::BindingTable table = stage.work.table;
   if (isGuided) source.guide->bind(table);
