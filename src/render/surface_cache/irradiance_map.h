@@ -26,7 +26,10 @@ class IrradianceMap {
   /// Says that the photons of all passes from the first one to before `end` are in the map.
   void setPasses(int end) { passes_ = end - firstPass_; }
   /// W per unit of flux in the half of `pass` once that pass is in it, so that it stands for one pass.
-  [[nodiscard]] float scale(int pass) const { return 1 / (units_ * static_cast<float>((pass - firstPass_) / 2 + 1)); }
+  [[nodiscard]] float scale(int pass) const {
+    const int passesInHalf = (pass - firstPass_) / 2 + 1;
+    return 1 / (units_ * static_cast<float>(passesInHalf));
+  }
   /// Flux of an average pass, of its hits and in the cells.
   [[nodiscard]] PhotonMapCounts readFlux() const;
   /// What lasts from pass to pass.
