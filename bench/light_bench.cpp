@@ -57,7 +57,7 @@ void lights(benchmark::State& state) {
   for ([[maybe_unused]] auto _ : state) {
     const RenderResult result = renderDirect(scene, 8);
     for (const KernelStats& kernel : result.stats.kernels)
-      if (kernel.label == "shade camera path") state.counters["shade_ms_per_pass"] = kernel.milliseconds / 8;
+      if (kernel.label == "eye scatter") state.counters["shade_ms_per_pass"] = kernel.milliseconds / 8;
     state.counters["relative_noise"] = std::sqrt(8 * meanOf(result.image, "variance.R")) / meanOf(result.image, "R");
   }
 }

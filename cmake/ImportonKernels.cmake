@@ -1,23 +1,24 @@
-# importon_add_kernels(TARGET NAMESPACE NAMESPACE_NAME HEADER FILE SOURCES FILES...)
+# importon_add_kernels(TARGET NAMESPACE SOURCES FILES...)
 #
 # Compiles compute shaders to SPIR-V, validates them (a module that spirv-val rejects breaks the build), and
-# embeds them in the static library TARGET. Its header HEADER declares in NAMESPACE_NAME:
-#   std::span<const std::uint32_t> spirv(std::string_view name);   name: a shader's file stem
-#   std::span<const std::string_view> names();                     sorted
+# embeds them in the static library TARGET with a typed call for each: NAME.comp is called by
+# importon::NAMESPACE::Name of <NAMESPACE/name.h> (src/gpu/describe_kernels.cpp). <NAMESPACE/registry.h> has all by name.
+# Buffers need no binding: glslang numbers those that have none.
 # Includes are found from the shaders folder. glslangValidator writes a dependency file per shader, so an edit
 # rebuilds what includes the edited file and nothing else.
 
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 
-function(importon_add_kernels target)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "NAMESPACE;HEADER" "SOURCES")
-  get_filename_component(cmakeFolder ${CMAKE_CURRENT_FUNCTION_LIST_DIR} ABSOLUTE)
-  get_filename_component(shaderFolder ${cmakeFolder}/../shaders ABSOLUTE)
+function(importon_add_kernels target namespace)
+  cmake_parse_arguments(PARSE_ARGV 2 ARG "" "" "SOURCES")
+  get_filename_component(shaderFolder ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../shaders ABSOLUTE)
   set(outFolder ${CMAKE_CURRENT_BINARY_DIR}/${target}.generated)
   file(MAKE_DIRECTORY ${outFolder}/spirv)
 
   set(modules)
+  set(calls)
+  set(assembly "/* The SPIR-V modules, each with its end. */\n.section .rodata\n")
   list(SORT ARG_SOURCES COMPARE FILE_BASENAME)
   foreach(source IN LISTS ARG_SOURCES)
     get_filename_component(name ${source} NAME_WE)
@@ -25,7 +26,7 @@ function(importon_add_kernels target)
     set(module ${outFolder}/spirv/${name}.spv)
     add_custom_command(
       OUTPUT ${module}
-      COMMAND ${GLSLANG_VALIDATOR} -V --target-env vulkan1.2 --quiet -I${shaderFolder}
+      COMMAND ${GLSLANG_VALIDATOR} -V --target-env vulkan1.2 --auto-map-bindings --quiet -I${shaderFolder}
               --depfile ${module}.d -o ${module} ${source}
       COMMAND ${SPIRV_VAL} --target-env vulkan1.2 --scalar-block-layout ${module}
       DEPENDS ${source}
@@ -33,32 +34,23 @@ function(importon_add_kernels target)
       COMMENT "Kernel ${name}"
       VERBATIM)
     list(APPEND modules ${module})
-  endforeach()
-
-  importon_write_kernel_registry(${target} ${outFolder} ${cmakeFolder} ${ARG_HEADER} ${ARG_NAMESPACE} "${modules}")
-  add_library(${target} STATIC ${outFolder}/registry.cpp ${outFolder}/modules.S)
-  set_source_files_properties(${outFolder}/modules.S PROPERTIES OBJECT_DEPENDS "${modules}")
-  target_compile_features(${target} PUBLIC cxx_std_20)
-  target_include_directories(${target} PUBLIC ${outFolder}/include)
-endfunction()
-
-# Writes the header, the table of names and the assembly that takes in `modules`.
-function(importon_write_kernel_registry target outFolder cmakeFolder HEADER NAMESPACE modules)
-  set(DECLARATIONS "")
-  set(NAMES "")
-  set(MODULES "")
-  set(assembly "/* The SPIR-V modules, each with its end. */\n.section .rodata\n")
-  list(LENGTH modules COUNT)
-  foreach(module IN LISTS modules)
-    get_filename_component(name ${module} NAME_WE)
+    list(APPEND calls ${outFolder}/include/${namespace}/${name}.h)
     set(symbol ${target}_${name})
-    string(APPEND DECLARATIONS "extern \"C\" const std::uint32_t ${symbol}[], ${symbol}_end[];\n")
-    string(APPEND NAMES "    \"${name}\",\n")
-    string(APPEND MODULES "    Module{${symbol}, ${symbol}_end},\n")
-    string(APPEND assembly ".balign 4\n.global ${symbol}, ${symbol}_end\n${symbol}:\n.incbin \"${module}\"\n${symbol}_end:\n")
+    string(APPEND assembly
+           ".balign 4\n.global ${symbol}, ${symbol}_end\n${symbol}:\n.incbin \"${module}\"\n${symbol}_end:\n")
   endforeach()
   string(APPEND assembly ".section .note.GNU-stack,\"\",%progbits\n")
-  configure_file(${cmakeFolder}/kernel_registry.h.in ${outFolder}/include/${HEADER} @ONLY)
-  configure_file(${cmakeFolder}/kernel_registry.cpp.in ${outFolder}/registry.cpp @ONLY)
   file(CONFIGURE OUTPUT ${outFolder}/modules.S CONTENT "${assembly}")
+
+  add_custom_command(
+    OUTPUT ${outFolder}/registry.cpp ${outFolder}/include/${namespace}/buffers.h
+           ${outFolder}/include/${namespace}/registry.h ${calls}
+    COMMAND importon_describe_kernels ${outFolder} ${namespace} ${target} ${shaderFolder}/shared ${modules}
+    DEPENDS importon_describe_kernels ${modules}
+    COMMENT "Calls of kernels: ${namespace}"
+    VERBATIM)
+  add_library(${target} STATIC ${outFolder}/registry.cpp ${outFolder}/modules.S)
+  set_source_files_properties(${outFolder}/modules.S PROPERTIES OBJECT_DEPENDS "${modules}")
+  target_link_libraries(${target} PUBLIC importon_gpu)
+  target_include_directories(${target} PUBLIC ${outFolder}/include)
 endfunction()

@@ -9,16 +9,17 @@ from talk_tables.lab import table
 GROUPS = {
     "closest hits": {"trace closest"},
     "shadow rays": {"trace shadow"},
-    "camera paths": {"camera rays", "shade camera path", "add direct light", "film"},
-    "photons": {"photon rays", "guided photon rays", "scatter photon", "scatter caustic photon"},
-    "storing": {"find cell", "claim cell", "store photons", "settle cell", "add to cell", "photon key", "resolve map",
-                "move cells", "sum flux"},
+    "camera paths": {"eye emit", "eye scatter", "eye light", "film add"},
+    "photons": {"photon emit", "photon emit guided", "photon scatter", "caustic scatter", "photon scatter guided"},
+    "storing": {"cell find", "cell claim", "photon store", "cell settle", "cell add", "photon key", "photon resolve",
+                "cell move", "flux sum"},
     "lookups": {"map lookup"},
-    "cells": {"add to irradiance", "light of cell groups", "irradiance of cells"},
-    "lists": {"set counter", "add counter", "compact count", "compact scatter", "scan", "select records", "sort count",
-              "sort scatter", "fill"},
-    "importance": {"importon rays", "scatter importon", "importon count", "importon level", "importon entries",
-                   "importon points", "importon key", "importance", "importance in order", "count hits", "learn guide"},
+    "cells": {"irradiance add", "cell group", "cell smooth"},
+    "lists": {"set counter", "add counter", "compact count", "compact scatter", "scan", "record select", "sort count",
+              "sort scatter", "grid cells", "grid points", "fill"},
+    "importance": {"importon emit", "importon scatter", "importon count", "importon level", "importon entries",
+                   "importon points", "importon key", "importon density", "importon resolve", "hit count",
+                   "guide learn"},
 }
 
 

@@ -4,11 +4,11 @@
 #include "bindings/parameters.glsl"
 #include "lib/flux.glsl"
 
-layout(binding = kBindingIrradianceTexels) uniform usamplerBuffer cellSums;
-layout(binding = kBindingCellGroups) uniform usamplerBuffer cellGroups;
-layout(binding = kBindingCellMembers) uniform usamplerBuffer cellMembers;
-layout(binding = kBindingCellPlaces) uniform usamplerBuffer cellPlaces;
-layout(binding = kBindingGroupLight) uniform usamplerBuffer groupLight;
+uniform usamplerBuffer cellSums;
+uniform usamplerBuffer cellGroups;
+uniform usamplerBuffer cellMembers;
+uniform usamplerBuffer cellPlaces;
+uniform usamplerBuffer groupLight;
 
 /// Light that fell on one side of a cell or group.
 struct CellLight {

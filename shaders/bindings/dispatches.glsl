@@ -6,7 +6,7 @@
 #include "lib/trace_queue.glsl"
 
 layout(constant_id = kSpecDispatchWorkgroup) const uint kDispatchWorkgroup = kWorkgroupSize;
-layout(scalar, binding = kBindingDispatches) buffer DispatchesBlock { DispatchArguments dispatches[]; };
+layout(scalar) buffer DispatchesBlock { DispatchArguments dispatches[]; };
 
 void setCounter(uint counter, uint value) {
   counters[counter] = value;

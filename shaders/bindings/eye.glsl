@@ -5,10 +5,10 @@
 #include "lib/path.glsl"
 #include "bindings/irradiance.glsl"
 
-layout(scalar, binding = kBindingShadowRays) writeonly buffer ShadowRaysBlock { Ray shadowRays[]; };
-layout(scalar, binding = kBindingShadowLight) writeonly buffer ShadowLightBlock { vec3 shadowLight[]; };
-layout(scalar, binding = kBindingEyeVertices) writeonly buffer EyeVerticesBlock { EyeVertex eyeVertices[]; };
-layout(scalar, binding = kBindingLookups) writeonly buffer LookupsBlock { uint lookups[]; };
+layout(scalar) writeonly buffer ShadowRaysBlock { Ray shadowRays[]; };
+layout(scalar) writeonly buffer ShadowLightBlock { vec3 shadowLight[]; };
+layout(scalar) writeonly buffer EyeVerticesBlock { EyeVertex eyeVertices[]; };
+layout(scalar) writeonly buffer LookupsBlock { uint lookups[]; };
 
 /// Adds light found by the path itself (emitters, environment) to its component.
 void addFound(uint slot, PathState path, vec3 radiance) {

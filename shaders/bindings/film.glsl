@@ -3,8 +3,8 @@
 #define IMPORTON_BINDINGS_FILM_GLSL
 #include "bindings/parameters.glsl"
 
-layout(scalar, binding = kBindingPathLight) buffer PathLightBlock { PathLight pathLight[]; };
-layout(binding = kBindingSamplePlan) uniform usamplerBuffer samplePlan;
+layout(scalar) buffer PathLightBlock { PathLight pathLight[]; };
+uniform usamplerBuffer samplePlan;
 
 /// Of a pixel of the tile: the first of its paths among the plan's, and that path's number among all of the pixel's
 /// beyond those of the mean. The plan ends with the number of its paths.

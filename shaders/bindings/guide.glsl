@@ -3,8 +3,8 @@
 #define IMPORTON_BINDINGS_GUIDE_GLSL
 #include "bindings/parameters.glsl"
 
-layout(binding = kBindingGuideRows) uniform samplerBuffer guideRows;
-layout(binding = kBindingGuideColumns) uniform samplerBuffer guideColumns;
+uniform samplerBuffer guideRows;
+uniform samplerBuffer guideColumns;
 
 float guideRow(uint i) { return texelFetch(guideRows, int(i)).x; }
 float guideColumn(uint i) { return texelFetch(guideColumns, int(i)).x; }

@@ -3,11 +3,11 @@
 #define IMPORTON_BINDINGS_IMPORTANCE_GLSL
 #include "bindings/parameters.glsl"
 
-layout(binding = kBindingImportonCells) uniform usamplerBuffer importonCells;
-layout(binding = kBindingImportonPoints) uniform usamplerBuffer importonPoints;
-layout(binding = kBindingImportance) uniform samplerBuffer importances;
-layout(binding = kBindingImportanceBound) uniform samplerBuffer importanceBounds;
-layout(binding = kBindingImportonHits) uniform usamplerBuffer importonHits;
+uniform usamplerBuffer importonCells;
+uniform usamplerBuffer importonPoints;
+uniform samplerBuffer importances;
+uniform samplerBuffer importanceBounds;
+uniform usamplerBuffer importonHits;
 
 uvec2 importonCell(uint slot) { return texelFetch(importonCells, int(slot)).xy; }
 uvec4 importonPoint(uint i) { return texelFetch(importonPoints, int(i)); }

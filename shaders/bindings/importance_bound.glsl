@@ -5,6 +5,6 @@
 #include "shared/features.h"
 
 layout(constant_id = kSpecImportanceBound) const uint kImportanceBound = kBoundPixel;
-layout(scalar, binding = kBindingBounds) buffer BoundsBlock { float bounds[]; };
+layout(scalar) buffer BoundsBlock { float bounds[]; };
 
 #endif

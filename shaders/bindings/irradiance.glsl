@@ -5,8 +5,8 @@
 #include "lib/surface_cell.glsl"
 
 layout(constant_id = kSpecReadsCells) const bool kReadsCells = false;
-layout(binding = kBindingSurfaceCells) uniform usamplerBuffer surfaceCells;
-layout(binding = kBindingCellIrradiance) uniform usamplerBuffer cellIrradiances;
+uniform usamplerBuffer surfaceCells;
+uniform usamplerBuffer cellIrradiances;
 
 /// Number of the side of a cell that faces a ray at a hit: two for each cell.
 uint cellSide(uint triangle, vec2 uv, bool isFront) {

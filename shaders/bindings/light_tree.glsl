@@ -3,7 +3,7 @@
 #define IMPORTON_BINDINGS_LIGHT_TREE_GLSL
 #include "bindings/parameters.glsl"
 
-layout(binding = kBindingLightTree) uniform usamplerBuffer lightTreeTexels;
+uniform usamplerBuffer lightTreeTexels;
 
 uvec4 lightTreeTexel(uint i) { return texelFetch(lightTreeTexels, int(i)); }
 

@@ -4,15 +4,15 @@
 #include "bindings/light_tree.glsl"
 #include "bindings/scene.glsl"
 
-layout(binding = kBindingLights) uniform usamplerBuffer lightTexels;
-layout(scalar, binding = kBindingLightAlias) readonly buffer LightAliasBlock { LightAlias lightAlias[]; };
+uniform usamplerBuffer lightsTexels;
+layout(scalar) readonly buffer LightAliasBlock { LightAlias lightAlias[]; };
 
-layout(binding = kBindingLightOfTriangle) uniform usamplerBuffer lightOfTriangleTexels;
-layout(binding = kBindingEnvironment) uniform usamplerBuffer environmentTexels;
-layout(binding = kBindingEnvironmentAlias) uniform usamplerBuffer environmentAliases;
+uniform usamplerBuffer lightOfTriangleTexels;
+uniform usamplerBuffer environmentTexels;
+uniform usamplerBuffer environmentAliases;
 
 uint lightOfTriangle(uint triangle) { return texelFetch(lightOfTriangleTexels, int(triangle)).x; }
-uvec4 lightTexel(uint i) { return texelFetch(lightTexels, int(i)); }
+uvec4 lightTexel(uint i) { return texelFetch(lightsTexels, int(i)); }
 LightAlias lightAliasAt(uint i) { return lightAlias[i]; }
 
 uvec4 environmentTexel(uint i) { return texelFetch(environmentTexels, int(i)); }
@@ -21,7 +21,7 @@ uvec2 environmentSize() { return params.environmentSize; }
 
 #include "lib/light_voxel.glsl"
 
-layout(binding = kBindingLightsSeen) uniform usamplerBuffer lightsSeenTexels;
+uniform usamplerBuffer lightsSeenTexels;
 
 uvec2 lightsSeen(vec3 x) {
   if (!kHasGlobalMap) return uvec2(kNone);  // no photon says what reaches where

@@ -4,7 +4,7 @@
 #include "bindings/light_tree.glsl"
 #include "lib/light_voxel.glsl"
 
-layout(scalar, binding = kBindingLightsSeenOut) buffer LightsSeenBlock { uint lightsSeenOut[]; };
+layout(scalar) buffer LightsSeenBlock { uint lightsSeenOut[]; };
 
 /// Notes that light comes from `light` to here without a bounce.
 void seeLight(uint light, vec3 position) {

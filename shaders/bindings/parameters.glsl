@@ -2,8 +2,6 @@
 #ifndef IMPORTON_BINDINGS_PARAMETERS_GLSL
 #define IMPORTON_BINDINGS_PARAMETERS_GLSL
 #extension GL_EXT_scalar_block_layout : require
-#include "shared/bindings.h"
-#include "shared/push_data.h"
 #include "shared/ray_data.h"
 #include "shared/render_data.h"
 #include "shared/scene_data.h"
@@ -11,7 +9,7 @@
 
 const float kInfinity = 1.0 / 0.0;
 
-layout(scalar, binding = kBindingParameters) readonly buffer ParametersBlock { Parameters params; };
-layout(scalar, binding = kBindingCounters) buffer CountersBlock { uint counters[]; };
+layout(scalar) readonly buffer ParametersBlock { Parameters params; };
+layout(scalar) buffer CountersBlock { uint counters[]; };
 
 #endif

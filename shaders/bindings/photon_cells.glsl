@@ -5,7 +5,7 @@
 #include "bindings/parameters.glsl"
 #include "lib/photon_cell.glsl"
 
-layout(scalar, binding = kBindingPhotonCells) buffer PhotonCellsBlock { PhotonCell photonCells[]; };
+layout(scalar) buffer PhotonCellsBlock { PhotonCell photonCells[]; };
 
 const uint kMostProbes = 512u;  // at a load of 0.8 no cell is so far from home
 

@@ -5,7 +5,7 @@
 #include "lib/bsdf.glsl"
 #include "lib/flux.glsl"
 
-layout(binding = kBindingMapFlux) uniform usamplerBuffer mapFlux;
+uniform usamplerBuffer mapFlux;
 
 /// BSDF times flux, W/sr; to be divided by the area that the photons are taken from.
 vec3 photonLight(Surface s, Bsdf b, vec3 wo, mat3 frame, uint photon, uint packed) {

@@ -4,8 +4,8 @@
 #include "bindings/parameters.glsl"
 #include "lib/flux.glsl"
 
-layout(scalar, binding = kBindingPhotonPoints) buffer PhotonPointsBlock { MapPoint photonPoints[]; };
-layout(scalar, binding = kBindingPhotonFlux) buffer PhotonFluxBlock { uint photonFlux[]; };
+layout(scalar) buffer PhotonPointsBlock { MapPoint photonPoints[]; };
+layout(scalar) buffer PhotonFluxBlock { uint photonFlux[]; };
 
 /// Adds to a channel of a photon: exact, and the same in any order.
 void addToPhoton(uint photon, uint channel, uvec2 units) {

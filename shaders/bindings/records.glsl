@@ -3,7 +3,7 @@
 #define IMPORTON_BINDINGS_RECORDS_GLSL
 #include "bindings/parameters.glsl"
 
-layout(scalar, binding = kBindingRecordPoints) buffer RecordPointsBlock { MapPoint recordPoints[]; };
-layout(scalar, binding = kBindingRecords) buffer RecordsBlock { Record records[]; };
+layout(scalar) buffer RecordPointsBlock { MapPoint recordPoints[]; };
+layout(scalar) buffer RecordsBlock { Record records[]; };
 
 #endif

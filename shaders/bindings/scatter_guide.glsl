@@ -3,7 +3,7 @@
 #define IMPORTON_BINDINGS_SCATTER_GUIDE_GLSL
 #include "bindings/parameters.glsl"
 
-layout(binding = kBindingScatterGuide) uniform samplerBuffer scatterGuides;
+uniform samplerBuffer scatterGuides;
 
 float scatterGuide(uint i) { return texelFetch(scatterGuides, int(i)).x; }
 

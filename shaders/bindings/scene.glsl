@@ -3,19 +3,19 @@
 #define IMPORTON_BINDINGS_SCENE_GLSL
 #include "bindings/parameters.glsl"
 
-layout(binding = kBindingVertices) uniform usamplerBuffer vertexTexels;
-layout(binding = kBindingTriangles) uniform usamplerBuffer triangleTexels;
-layout(binding = kBindingMaterials) uniform usamplerBuffer materialTexels;
-layout(binding = kBindingTextures) uniform usamplerBuffer textureTexels;
-layout(binding = kBindingTexels) uniform usamplerBuffer imageTexels;
-layout(binding = kBindingAlbedo) uniform usamplerBuffer albedoTexels;
+uniform usamplerBuffer verticesTexels;
+uniform usamplerBuffer trianglesTexels;
+uniform usamplerBuffer materialsTexels;
+uniform usamplerBuffer texturesTexels;
+uniform usamplerBuffer imagesTexels;
+uniform usamplerBuffer albedoTexels;
 
-uvec4 vertexTexel(uint i) { return texelFetch(vertexTexels, int(i)); }
-uvec4 triangleTexel(uint i) { return texelFetch(triangleTexels, int(i)); }
-uvec4 materialTexel(uint i) { return texelFetch(materialTexels, int(i)); }
-uvec4 textureTexel(uint i) { return texelFetch(textureTexels, int(i)); }
+uvec4 vertexTexel(uint i) { return texelFetch(verticesTexels, int(i)); }
+uvec4 triangleTexel(uint i) { return texelFetch(trianglesTexels, int(i)); }
+uvec4 materialTexel(uint i) { return texelFetch(materialsTexels, int(i)); }
+uvec4 textureTexel(uint i) { return texelFetch(texturesTexels, int(i)); }
 uint albedoTexel(uint i) { return texelFetch(albedoTexels, int(i)).x; }
-uint imageTexel(uint i) { return texelFetch(imageTexels, int(i)).x; }
+uint imageTexel(uint i) { return texelFetch(imagesTexels, int(i)).x; }
 
 #include "lib/surface.glsl"
 

@@ -3,9 +3,9 @@
 #define IMPORTON_BINDINGS_SELECTION_GLSL
 #include "bindings/records.glsl"
 
-layout(scalar, binding = kBindingSelection) readonly buffer SelectionBlock { uint selection[]; };
-layout(scalar, binding = kBindingRequired) buffer RequiredBlock { float required[]; };
-layout(scalar, binding = kBindingSelectedPoints) buffer SelectedPointsBlock { MapPoint selectedPoints[]; };
-layout(scalar, binding = kBindingKeep) buffer KeepBlock { uint keep[]; };
+layout(scalar) readonly buffer SelectionBlock { uint selection[]; };
+layout(scalar) buffer RequiredBlock { float required[]; };
+layout(scalar) buffer SelectedPointsBlock { MapPoint selectedPoints[]; };
+layout(scalar) buffer KeepBlock { uint keep[]; };
 
 #endif

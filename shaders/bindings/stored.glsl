@@ -3,9 +3,9 @@
 #define IMPORTON_BINDINGS_STORED_GLSL
 #include "bindings/parameters.glsl"
 
-layout(binding = kBindingStoredCells) uniform usamplerBuffer storedCells;
-layout(binding = kBindingStoredPoints) uniform usamplerBuffer storedPoints;
-layout(binding = kBindingStoredOrder) uniform usamplerBuffer storedOrder;
+uniform usamplerBuffer storedCells;
+uniform usamplerBuffer storedPoints;
+uniform usamplerBuffer storedOrder;
 
 uvec2 gridCell(uint slot) { return texelFetch(storedCells, int(slot)).xy; }
 uvec4 gridPoint(uint i) { return texelFetch(storedPoints, int(i)); }

@@ -11,13 +11,15 @@
 
 layout(constant_id = kSpecAnyHit) const bool kIsAnyHit = false;
 
-layout(binding = kBindingBvhNodes) uniform usamplerBuffer bvhNodes;
-layout(binding = kBindingRayTexels) uniform usamplerBuffer rayTexels;
-layout(scalar, binding = kBindingHits) writeonly buffer HitsBlock { Hit hits[]; };
-layout(scalar, binding = kBindingQueue) readonly buffer QueueBlock { uint queue[]; };
-layout(push_constant, scalar) uniform PushBlock { TracePush push; };
+uniform usamplerBuffer bvhTexels;
+uniform usamplerBuffer raysTexels;
+layout(scalar) writeonly buffer HitsBlock { Hit hits[]; };
+layout(scalar) readonly buffer QueueBlock { uint queue[]; };
+layout(push_constant, scalar) uniform Push {
+  uint source;  // counter of the queue
+} push;
 
-uvec4 bvhNodeTexel(uint index) { return texelFetch(bvhNodes, int(index)); }
+uvec4 bvhNodeTexel(uint index) { return texelFetch(bvhTexels, int(index)); }
 
 #include "lib/trace_queue.glsl"
 #include "lib/traverse.glsl"
@@ -45,7 +47,7 @@ void main() {
       const uint next = turn < kMaxTurns / 2u ? atomicAdd(counters[kCounterTraceTaken], 1u) : count;
       if (next < count) {
         slot = queue[next];
-        const uvec4 a = texelFetch(rayTexels, int(2u * slot)), b = texelFetch(rayTexels, int(2u * slot + 1u));
+        const uvec4 a = texelFetch(raysTexels, int(2u * slot)), b = texelFetch(raysTexels, int(2u * slot + 1u));
         setRay(traversal, uintBitsToFloat(a.xyz), uintBitsToFloat(b.xyz), uintBitsToFloat(a.w), b.w);
         isOver = false;
       }

@@ -3,7 +3,7 @@
 #include "app/commands.h"
 #include "app/environment_file.h"
 #include "app/scene_summary.h"
-#include "render/features/features.h"
+#include "render/features/feature_set.h"
 #include "scene/gltf_loader.h"
 
 namespace importon {

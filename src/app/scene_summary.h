@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "render/features/features.h"
+#include "render/features/feature_set.h"
 #include "scene/scene.h"
 
 namespace importon {

@@ -7,29 +7,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json secondsJson(const PhaseSeconds& seconds) {
-  return {{"total", seconds.total},
-          {"load", seconds.load},
-          {"bvh", seconds.bvh},
-          {"device", seconds.device},
-          {"importance", seconds.importance},
-          {"photons", seconds.photons},
-          {"gather", seconds.gather},
-          {"output", seconds.output}};
-}
-
 Json kernelsJson(const std::vector<KernelStats>& kernels) {
   Json rows = Json::array();
   for (const KernelStats& kernel : kernels) {
     rows.push_back({{"label", kernel.label}, {"launches", kernel.launches}, {"total_ms", kernel.milliseconds}});
   }
   return rows;
-}
-
-Json mapJson(const PhotonMapStats& map) {
-  return {{"emitted", map.emitted},    {"hits", map.hits},
-          {"stored", map.stored},      {"redistributed", map.redistributed},
-          {"flux_hits", map.fluxHits}, {"flux_map", map.fluxMap}};
 }
 
 Json errorJson(const ErrorStats& error) {
@@ -58,33 +41,77 @@ Json warningsJson(std::span<const Warning> warnings) {
   return rows;
 }
 
+/// A statistic: where it stands in the file, as a JSON pointer, and its value.
+struct StatRow {
+  const char* place;
+  Json (*read)(const RenderStats&);
+};
+
+template <auto kMember>
+Json of(const RenderStats& stats) {
+  return stats.*kMember;
+}
+template <auto kPart, auto kMember>
+Json of(const RenderStats& stats) {
+  return (stats.*kPart).*kMember;
+}
+
+using S = RenderStats;
+using Seconds = PhaseSeconds;
+using Map = PhotonMapStats;
+
+constexpr StatRow kRows[] = {{"/device/name", of<&S::deviceName>},
+                             {"/device/driver", of<&S::deviceDriver>},
+                             {"/device/type", of<&S::deviceType>},
+                             {"/scene/triangles", of<&S::triangles>},
+                             {"/scene/lights", of<&S::lights>},
+                             {"/scene/features", of<&S::features>},
+                             {"/gather_from", of<&S::gatherFrom>},
+                             {"/image/width", of<&S::width>},
+                             {"/image/height", of<&S::height>},
+                             {"/image/passes", of<&S::passes>},
+                             {"/seconds/total", of<&S::seconds, &Seconds::total>},
+                             {"/seconds/load", of<&S::seconds, &Seconds::load>},
+                             {"/seconds/bvh", of<&S::seconds, &Seconds::bvh>},
+                             {"/seconds/device", of<&S::seconds, &Seconds::device>},
+                             {"/seconds/importance", of<&S::seconds, &Seconds::importance>},
+                             {"/seconds/photons", of<&S::seconds, &Seconds::photons>},
+                             {"/seconds/gather", of<&S::seconds, &Seconds::gather>},
+                             {"/seconds/output", of<&S::seconds, &Seconds::output>},
+                             {"/kernels", [](const S& stats) { return kernelsJson(stats.kernels); }},
+                             {"/rays/closest", of<&S::closestRays>},
+                             {"/rays/shadow", of<&S::shadowRays>},
+                             {"/importons/emitted", of<&S::importonsEmitted>},
+                             {"/importons/caustic", of<&S::importonsCaustic>},
+                             {"/importons/global", of<&S::importonsGlobal>},
+                             {"/photons/emitted", of<&S::photonsEmitted>},
+                             {"/photons/pilot", of<&S::photonsPilot>},
+                             {"/photons/caustic/emitted", of<&S::caustic, &Map::emitted>},
+                             {"/photons/caustic/hits", of<&S::caustic, &Map::hits>},
+                             {"/photons/caustic/stored", of<&S::caustic, &Map::stored>},
+                             {"/photons/caustic/redistributed", of<&S::caustic, &Map::redistributed>},
+                             {"/photons/caustic/flux_hits", of<&S::caustic, &Map::fluxHits>},
+                             {"/photons/caustic/flux_map", of<&S::caustic, &Map::fluxMap>},
+                             {"/photons/global/emitted", of<&S::global, &Map::emitted>},
+                             {"/photons/global/hits", of<&S::global, &Map::hits>},
+                             {"/photons/global/stored", of<&S::global, &Map::stored>},
+                             {"/photons/global/redistributed", of<&S::global, &Map::redistributed>},
+                             {"/photons/global/flux_hits", of<&S::global, &Map::fluxHits>},
+                             {"/photons/global/flux_map", of<&S::global, &Map::fluxMap>},
+                             {"/memory/device_peak_bytes", of<&S::devicePeakBytes>},
+                             {"/memory/photon_map_bytes", of<&S::photonMapBytes>},
+                             {"/memory/host_peak_bytes", of<&S::hostPeakBytes>},
+                             {"/error", [](const S& stats) { return errorJson(stats.error); }}};
+
 }  // namespace
 
 std::string statsJson(const RenderJob& job, const RenderStats& stats, std::span<const Warning> warnings) {
-  Json root;
-  root["version"] = IMPORTON_VERSION;
-  root["command"] = job.commandLine;
-  root["seed"] = job.seed;
-  root["device"] = {{"name", stats.deviceName}, {"driver", stats.deviceDriver}, {"type", stats.deviceType}};
-  root["scene"] = {{"file", job.scene.string()},
-                   {"triangles", stats.triangles},
-                   {"lights", stats.lights},
-                   {"features", stats.features}};
-  root["gather_from"] = stats.gatherFrom;
-  root["image"] = {{"width", stats.width}, {"height", stats.height}, {"passes", stats.passes}};
-  root["seconds"] = secondsJson(stats.seconds);
-  root["kernels"] = kernelsJson(stats.kernels);
-  root["rays"] = {{"closest", stats.closestRays}, {"shadow", stats.shadowRays}};
-  root["importons"] = {
-      {"emitted", stats.importonsEmitted}, {"caustic", stats.importonsCaustic}, {"global", stats.importonsGlobal}};
-  root["photons"] = {{"emitted", stats.photonsEmitted},
-                     {"pilot", stats.photonsPilot},
-                     {"caustic", mapJson(stats.caustic)},
-                     {"global", mapJson(stats.global)}};
-  root["memory"] = {{"device_peak_bytes", stats.devicePeakBytes},
-                    {"photon_map_bytes", stats.photonMapBytes},
-                    {"host_peak_bytes", stats.hostPeakBytes}};
-  root["error"] = errorJson(stats.error);
+  Json root{{"version", IMPORTON_VERSION},
+            {"command", job.commandLine},
+            {"seed", job.seed},
+            {"device", {}},
+            {"scene", {{"file", job.scene.string()}}}};
+  for (const StatRow& row : kRows) root[Json::json_pointer(row.place)] = row.read(stats);
   root["warnings"] = warningsJson(warnings);
   // A file name need not be UTF-8, JSON must be.
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -11,45 +11,46 @@ namespace {
 
 constexpr std::uint32_t kSetsPerPool = 512;
 constexpr std::array<std::uint32_t, 3> kDescriptorsPerPool = {kSetsPerPool * 12, kSetsPerPool * 2,
-                                                              kSetsPerPool * 12};  // by BindingKind
+                                                              kSetsPerPool * 12};  // by BufferKind
 
-std::string slotOf(const Kernel& kernel, const ReflectedBinding& binding) {
-  return "kernel '" + kernel.label() + "', slot " + std::to_string(binding.slot) + " (" + binding.name + ")";
+std::string placeOf(const Kernel& kernel, const KernelBuffer& declared) {
+  return "kernel '" + kernel.label() + "', buffer '" + std::string(declared.name) + "'";
 }
 
-const Buffer& bufferFor(const Kernel& kernel, const ReflectedBinding& binding, const BindingTable& table,
-                        const Limits& limits) {
-  const Buffer* buffer = table.get(binding.slot);
-  if (buffer == nullptr || !*buffer) throw std::logic_error(slotOf(kernel, binding) + ": no buffer is bound");
-  if (binding.kind == BindingKind::uniformTexelBuffer && !buffer->impl().view) {
-    throw std::logic_error(slotOf(kernel, binding) + ": buffer '" + buffer->name() + "' has no texel format");
+void checkBuffer(const Kernel& kernel, const KernelBuffer& declared, const Buffer* buffer, const Limits& limits) {
+  if (buffer == nullptr || !*buffer) throw std::logic_error(placeOf(kernel, declared) + ": there is none");
+  if (declared.kind == BufferKind::texels && !buffer->impl().view) {
+    throw std::logic_error(placeOf(kernel, declared) + ": '" + buffer->name() + "' has no texel format");
   }
-  if (binding.kind == BindingKind::storageBuffer && buffer->bytes() > limits.maxStorageBufferRange) {
+  if (declared.kind == BufferKind::storage && buffer->bytes() > limits.maxStorageBufferRange) {
     throw DeviceError("buffer '" + buffer->name() + "' of " + std::to_string(buffer->bytes()) +
                           " bytes is larger than a kernel can bind on this device (maxStorageBufferRange " +
                           std::to_string(limits.maxStorageBufferRange) + ")",
-                      slotOf(kernel, binding),
+                      placeOf(kernel, declared),
                       "lower --memory, --photons or the image size, or choose another --device");
   }
-  return *buffer;
 }
 
 }  // namespace
 
-VkDescriptorSet DescriptorArena::bind(const Kernel& kernel, const BindingTable& table) {
-  const std::vector<ReflectedBinding>& bindings = kernel.impl().bindings;
-  std::vector<VkDescriptorBufferInfo> buffers(bindings.size());
-  std::vector<VkBufferView> views(bindings.size());
-  std::vector<VkWriteDescriptorSet> writes(bindings.size());
-  for (std::size_t i = 0; i < bindings.size(); ++i) {
-    const Buffer& buffer = bufferFor(kernel, bindings[i], table, device_.limits());
-    buffers[i] = {buffer.impl().buffer.get(), 0, buffer.bytes()};
-    views[i] = buffer.impl().view.get();
+VkDescriptorSet DescriptorArena::bind(const Kernel& kernel, std::span<const Buffer* const> buffers) {
+  const std::span<const KernelBuffer> declared = kernel.impl().code->buffers;
+  if (buffers.size() != declared.size()) {
+    throw std::logic_error("kernel '" + kernel.label() + "' takes " + std::to_string(declared.size()) +
+                           " buffers, not " + std::to_string(buffers.size()));
+  }
+  std::vector<VkDescriptorBufferInfo> infos(declared.size());
+  std::vector<VkBufferView> views(declared.size());
+  std::vector<VkWriteDescriptorSet> writes(declared.size());
+  for (std::size_t i = 0; i < declared.size(); ++i) {
+    checkBuffer(kernel, declared[i], buffers[i], device_.limits());
+    infos[i] = {buffers[i]->impl().buffer.get(), 0, buffers[i]->bytes()};
+    views[i] = buffers[i]->impl().view.get();
     writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    writes[i].dstBinding = bindings[i].slot;
+    writes[i].dstBinding = declared[i].slot;
     writes[i].descriptorCount = 1;
-    writes[i].descriptorType = descriptorType(bindings[i].kind);
-    writes[i].pBufferInfo = &buffers[i];
+    writes[i].descriptorType = descriptorType(declared[i].kind);
+    writes[i].pBufferInfo = &infos[i];
     writes[i].pTexelBufferView = &views[i];
   }
   const VkDescriptorSet set = allocate(kernel);
@@ -60,8 +61,8 @@ VkDescriptorSet DescriptorArena::bind(const Kernel& kernel, const BindingTable& 
 
 VkDescriptorSet DescriptorArena::allocate(const Kernel& kernel) {
   Use need{1, {}};
-  for (const ReflectedBinding& binding : kernel.impl().bindings)
-    ++need.descriptors[static_cast<std::size_t>(binding.kind)];
+  for (const KernelBuffer& buffer : kernel.impl().code->buffers)
+    ++need.descriptors[static_cast<std::size_t>(buffer.kind)];
   bool isFull = pools_.empty() || use_.sets + need.sets > kSetsPerPool;
   for (std::size_t i = 0; i < 3; ++i) isFull |= use_.descriptors[i] + need.descriptors[i] > kDescriptorsPerPool[i];
   if (isFull) {
@@ -86,7 +87,7 @@ VkDescriptorSet DescriptorArena::allocate(const Kernel& kernel) {
 void DescriptorArena::addPool() {
   std::array<VkDescriptorPoolSize, 3> sizes{};
   for (std::size_t i = 0; i < 3; ++i) {
-    sizes[i] = {descriptorType(static_cast<BindingKind>(i)), kDescriptorsPerPool[i]};
+    sizes[i] = {descriptorType(static_cast<BufferKind>(i)), kDescriptorsPerPool[i]};
   }
   VkDescriptorPoolCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "gpu/handle.h"
@@ -15,9 +16,9 @@ class DescriptorArena {
  public:
   explicit DescriptorArena(Device& device) : device_(device) {}
 
-  /// A set that binds what `kernel` declares. Throws std::logic_error for a slot that the table lacks or a
-  /// buffer without texel format where one is needed; DeviceError for a buffer that is too large to bind.
-  [[nodiscard]] VkDescriptorSet bind(const Kernel& kernel, const BindingTable& table);
+  /// A set that binds `buffers`, in the order of the kernel's code. Throws std::logic_error for an empty buffer or one
+  /// without texel format where one is needed; DeviceError for a buffer that is too large to bind.
+  [[nodiscard]] VkDescriptorSet bind(const Kernel& kernel, std::span<const Buffer* const> buffers);
 
   /// All sets are free again.
   void reset();
@@ -25,7 +26,7 @@ class DescriptorArena {
  private:
   struct Use {
     std::uint32_t sets = 0;
-    std::array<std::uint32_t, 3> descriptors{};  // by BindingKind
+    std::array<std::uint32_t, 3> descriptors{};  // by BufferKind
   };
   [[nodiscard]] VkDescriptorSet allocate(const Kernel& kernel);
   void addPool();

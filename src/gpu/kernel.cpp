@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::uint32_t kMaxPushConstantBytes = 128;  // the least that Vulkan promises
 constexpr std::uint32_t kDefaultWorkgroupSize = 64;
+constexpr std::uint32_t kWorkgroupSizeId = 0;  // of the specialization constant
 
 /// The kernel's constants with the workgroup size among them.
 struct Constants {
@@ -19,25 +20,23 @@ struct Constants {
   std::uint32_t workgroupSize = 1;
 };
 
-Constants constantsOf(const Reflection& module, std::span<const Specialization> specialization) {
-  Constants constants{{specialization.begin(), specialization.end()}, module.workgroupSize[0]};
-  if (!module.workgroupSizeXConstant) return constants;
-  const std::uint32_t id = *module.workgroupSizeXConstant;
-  const auto given =
-      std::find_if(specialization.begin(), specialization.end(), [id](const Specialization& s) { return s.id == id; });
+Constants constantsOf(const KernelCode& code, std::span<const Specialization> specialization) {
+  Constants constants{{specialization.begin(), specialization.end()}, code.workgroupSize};
+  if (!code.hasWorkgroupConstant) return constants;
+  const auto given = std::find_if(specialization.begin(), specialization.end(),
+                                  [](const Specialization& s) { return s.id == kWorkgroupSizeId; });
   if (given != specialization.end()) {
     constants.workgroupSize = given->value;
-  } else if (module.workgroupSize[0] == 1) {
+  } else if (code.workgroupSize == 1) {
     constants.workgroupSize = kDefaultWorkgroupSize;
-    constants.values.push_back({id, kDefaultWorkgroupSize});
+    constants.values.push_back({kWorkgroupSizeId, kDefaultWorkgroupSize});
   }
   return constants;
 }
 
-void checkLimits(const Limits& limits, const std::string& label, const Reflection& module,
-                 std::uint32_t workgroupSize) {
-  if (module.pushConstantBytes > kMaxPushConstantBytes) {
-    throw std::logic_error("kernel '" + label + "' has " + std::to_string(module.pushConstantBytes) +
+void checkLimits(const Limits& limits, const std::string& label, const KernelCode& code, std::uint32_t workgroupSize) {
+  if (code.pushConstantBytes > kMaxPushConstantBytes) {
+    throw std::logic_error("kernel '" + label + "' has " + std::to_string(code.pushConstantBytes) +
                            " bytes of push constants; " + std::to_string(kMaxPushConstantBytes) + " are allowed");
   }
   if (workgroupSize == 0 || workgroupSize > limits.maxWorkgroupSize) {
@@ -47,10 +46,10 @@ void checkLimits(const Limits& limits, const std::string& label, const Reflectio
   }
 }
 
-SetLayoutHandle createSetLayout(Device& device, const std::string& label, std::span<const ReflectedBinding> bindings) {
+SetLayoutHandle createSetLayout(Device& device, const std::string& label, std::span<const KernelBuffer> buffers) {
   std::vector<VkDescriptorSetLayoutBinding> entries;
-  for (const ReflectedBinding& binding : bindings) {
-    entries.push_back({binding.slot, descriptorType(binding.kind), 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
+  for (const KernelBuffer& buffer : buffers) {
+    entries.push_back({buffer.slot, descriptorType(buffer.kind), 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
   }
   VkDescriptorSetLayoutCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
@@ -111,46 +110,36 @@ PipelineHandle createPipeline(Device& device, const std::string& label, VkShader
 
 }  // namespace
 
-void BindingTable::set(std::uint32_t slot, const Buffer& buffer) {
-  if (slot >= slots_.size()) slots_.resize(slot + 1, nullptr);
-  slots_[slot] = &buffer;
-}
-
-const Buffer* BindingTable::get(std::uint32_t slot) const { return slot < slots_.size() ? slots_[slot] : nullptr; }
-
-VkDescriptorType descriptorType(BindingKind kind) {
+VkDescriptorType descriptorType(BufferKind kind) {
   switch (kind) {
-    case BindingKind::uniformBuffer:
+    case BufferKind::uniform:
       return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    case BindingKind::uniformTexelBuffer:
+    case BufferKind::texels:
       return VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
-    case BindingKind::storageBuffer:
+    case BufferKind::storage:
       break;
   }
   return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 }
 
-Kernel::Kernel(Context& context, std::string label, std::span<const std::uint32_t> spirv,
+Kernel::Kernel(Context& context, std::string label, const KernelCode& code,
                std::span<const Specialization> specialization)
     : impl_(std::make_unique<Impl>()), label_(std::move(label)) {
-  Reflection module = reflect(spirv);
-  Constants constants = constantsOf(module, specialization);
-  checkLimits(context.limits(), label_, module, constants.workgroupSize);
+  Constants constants = constantsOf(code, specialization);
+  checkLimits(context.limits(), label_, code, constants.workgroupSize);
   impl_->device = context.impl().device;
   Device& device = *impl_->device;
+  impl_->code = &code;
   impl_->workgroupSize = constants.workgroupSize;
-  impl_->pushConstantBytes = module.pushConstantBytes;
-  impl_->setLayout = createSetLayout(device, label_, module.bindings);
-  impl_->bindings = std::move(module.bindings);
-  impl_->pipelineLayout = createPipelineLayout(device, label_, impl_->setLayout.get(), impl_->pushConstantBytes);
-  impl_->spirv = spirv;
+  impl_->setLayout = createSetLayout(device, label_, code.buffers);
+  impl_->pipelineLayout = createPipelineLayout(device, label_, impl_->setLayout.get(), code.pushConstantBytes);
   impl_->constants = std::move(constants.values);
 }
 
 void Kernel::compile() const {
   std::call_once(impl_->compiles, [this] {
     Device& device = *impl_->device;
-    const ShaderModuleHandle shader = createModule(device, label_, impl_->spirv);
+    const ShaderModuleHandle shader = createModule(device, label_, impl_->code->spirv());
     impl_->pipeline = createPipeline(device, label_, shader.get(), impl_->pipelineLayout.get(), impl_->constants);
   });
 }

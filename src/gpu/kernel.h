@@ -1,42 +1,27 @@
 /// A compute pipeline made from an embedded SPIR-V module.
 #pragma once
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "gpu/buffer.h"
+#include "gpu/kernel_code.h"
 
 namespace importon::gpu {
-
-/// Binding numbers are the same in every kernel (shaders/shared/bindings.h), so one table serves all of them:
-/// slot -> buffer. A kernel takes from the table what its module uses; what it declares without use may be
-/// missing.
-/// The table refers to the Buffer objects: those that a dispatch takes must not have been moved or destroyed.
-class BindingTable {
- public:
-  void set(std::uint32_t slot, const Buffer& buffer);
-  [[nodiscard]] const Buffer* get(std::uint32_t slot) const;
-
- private:
-  std::vector<const Buffer*> slots_;
-};
 
 struct Specialization {
   std::uint32_t id;
   std::uint32_t value;  // bits of a bool, int, uint or float constant
 };
 
-/// Bindings, push-constant size and texel kinds come from reflection of the module. Throws DeviceError.
-/// The driver is given the module, which must live as long as the kernel, when the kernel is first dispatched, or
-/// before by compile(). Lavapipe makes machine code at the first dispatch only, whose time then holds that unless the
-/// driver finds the code in its cache on disk.
+/// Throws DeviceError. The driver is given the module, which must live as long as the kernel, when the kernel is first
+/// dispatched, or before by compile(). Lavapipe makes machine code at the first dispatch only, whose time then holds
+/// that unless the driver finds the code in its cache on disk.
 class Kernel {
  public:
   Kernel();
-  Kernel(Context& context, std::string label, std::span<const std::uint32_t> spirv,
+  Kernel(Context& context, std::string label, const KernelCode& code,
          std::span<const Specialization> specialization = {});
   ~Kernel();
   Kernel(Kernel&&) noexcept;

@@ -72,15 +72,15 @@ struct Recorder::Impl {
   }
 
   /// Records all that a dispatch needs but the dispatch itself.
-  void prepare(const Kernel& kernel, const BindingTable& bindings, std::span<const std::byte> pushConstants) {
-    if (pushConstants.size() != kernel.impl().pushConstantBytes) {
+  void prepare(const Kernel& kernel, std::span<const Buffer* const> buffers, std::span<const std::byte> pushConstants) {
+    if (pushConstants.size() != kernel.impl().code->pushConstantBytes) {
       throw std::logic_error("kernel '" + kernel.label() + "' takes " +
-                             std::to_string(kernel.impl().pushConstantBytes) + " bytes of push constants, not " +
+                             std::to_string(kernel.impl().code->pushConstantBytes) + " bytes of push constants, not " +
                              std::to_string(pushConstants.size()));
     }
     kernel.compile();
     beginCommand();
-    bind(kernel, descriptors.bind(kernel, bindings), pushConstants);
+    bind(kernel, descriptors.bind(kernel, buffers), pushConstants);
   }
 
   void submitAndWait() {
@@ -107,20 +107,20 @@ struct Recorder::Impl {
 Recorder::Recorder(Context& context) : impl_(std::make_unique<Impl>(context.impl().device)) {}
 Recorder::~Recorder() = default;
 
-void Recorder::dispatch(const Kernel& kernel, const BindingTable& bindings, std::uint64_t invocations,
+void Recorder::dispatch(const Kernel& kernel, std::span<const Buffer* const> buffers, std::uint64_t invocations,
                         std::span<const std::byte> pushConstants) {
   if (invocations == 0) return;
   const GroupCounts groups = groupCounts(kernel, *impl_->device, invocations);
-  impl_->prepare(kernel, bindings, pushConstants);
+  impl_->prepare(kernel, buffers, pushConstants);
   vkCmdDispatch(impl_->commands, groups.x, groups.y, 1);
   impl_->timer.mark(impl_->commands, kernel.label());
 }
 
-void Recorder::dispatchIndirect(const Kernel& kernel, const BindingTable& bindings, const Buffer& arguments,
+void Recorder::dispatchIndirect(const Kernel& kernel, std::span<const Buffer* const> buffers, const Buffer& arguments,
                                 std::uint64_t offset, std::span<const std::byte> pushConstants) {
   checkTransfer(arguments, offset, sizeof(VkDispatchIndirectCommand));
   if (offset % 4 != 0) throw std::logic_error("indirect arguments must lie at a multiple of 4 bytes");
-  impl_->prepare(kernel, bindings, pushConstants);
+  impl_->prepare(kernel, buffers, pushConstants);
   vkCmdDispatchIndirect(impl_->commands, arguments.impl().buffer.get(), offset);
   impl_->timer.mark(impl_->commands, kernel.label());
 }

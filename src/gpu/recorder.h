@@ -25,8 +25,8 @@ concept PushConstants = std::is_trivially_copyable_v<T> && sizeof(T) <= 128 &&
 
 /// Commands run in the order recorded; a full memory barrier stands between any two that touch buffers
 /// (compute, indirect read, transfer, host). Buffers and kernels must outlive the submission. A long recording
-/// is submitted in pieces on the way. A push-constant size that is not the kernel's, a slot without buffer, or
-/// a copy past the end of a buffer is a std::logic_error; fills and copies are timed as "fill" and "copy".
+/// is submitted in pieces on the way. A push-constant size that is not the kernel's, a missing buffer, or a copy
+/// past the end of one is a std::logic_error; fills and copies are timed as "fill" and "copy".
 class Recorder {
  public:
   explicit Recorder(Context& context);
@@ -34,22 +34,23 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Runs ceil(invocations / workgroupSize) workgroups along x (folded into y where x would pass the device's
-  /// limit; kernels compute their index by invocationIndex() of lib/dispatch.glsl and test it themselves).
-  /// Does nothing for 0 invocations.
-  void dispatch(const Kernel& kernel, const BindingTable& bindings, std::uint64_t invocations,
+  /// Buffers are given in the order of the kernel's code. Runs ceil(invocations / workgroupSize) workgroups along x
+  /// (folded into y where x would pass the device's limit; kernels compute their index by invocationIndex() of
+  /// lib/dispatch.glsl and test it themselves). Does nothing for 0 invocations.
+  void dispatch(const Kernel& kernel, std::span<const Buffer* const> buffers, std::uint64_t invocations,
                 std::span<const std::byte> pushConstants = {});
   /// Takes the three group counts from `arguments` at byte `offset`.
-  void dispatchIndirect(const Kernel& kernel, const BindingTable& bindings, const Buffer& arguments,
+  void dispatchIndirect(const Kernel& kernel, std::span<const Buffer* const> buffers, const Buffer& arguments,
                         std::uint64_t offset, std::span<const std::byte> pushConstants = {});
   template <PushConstants Push>
-  void dispatch(const Kernel& kernel, const BindingTable& bindings, std::uint64_t invocations, const Push& push) {
-    dispatch(kernel, bindings, invocations, std::as_bytes(std::span(&push, 1)));
+  void dispatch(const Kernel& kernel, std::span<const Buffer* const> buffers, std::uint64_t invocations,
+                const Push& push) {
+    dispatch(kernel, buffers, invocations, std::as_bytes(std::span(&push, 1)));
   }
   template <PushConstants Push>
-  void dispatchIndirect(const Kernel& kernel, const BindingTable& bindings, const Buffer& arguments,
+  void dispatchIndirect(const Kernel& kernel, std::span<const Buffer* const> buffers, const Buffer& arguments,
                         std::uint64_t offset, const Push& push) {
-    dispatchIndirect(kernel, bindings, arguments, offset, std::as_bytes(std::span(&push, 1)));
+    dispatchIndirect(kernel, buffers, arguments, offset, std::as_bytes(std::span(&push, 1)));
   }
 
   void fill(const Buffer& buffer, std::uint32_t value);  // whole buffer

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "render/features/features.h"
+#include "render/features/feature_set.h"
 #include "render/options/gather_source.h"
 #include "shared/ray_data.h"
 

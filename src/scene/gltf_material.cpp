@@ -22,59 +22,52 @@ class MaterialReader {
 
   Material read(const GltfSource& source) {
     material_ = defaultMaterial();
-    readBase();
-    readSurface();
+    for (const MaterialRow& row : materialRows()) readFactor(row);
     readEmission();
     readTransmission(source);
-    readLayers();
-    readAlpha();
-    if (booleanOr(json_, "doubleSided", false)) material_.flags |= kMaterialDoubleSided;
-    if (extension("KHR_materials_unlit").is_object()) material_.flags |= kMaterialUnlit;
+    readFlags();
+    for (const MaterialRow& row : materialRows()) readTexture(row);
     return material_;
   }
 
  private:
   const Json& extension(std::string_view name) const { return member(json_, "extensions", name); }
 
-  /// The texture `key` of `owner`, which stands at `place` below the material.
-  uint texture(const Json& owner, const std::string& place, const char* key, ColorMeaning meaning) {
-    return textures_.use(member(owner, key), pointer_ + place + "/" + key, meaning);
+  /// The object that has the row's value; null if there is none.
+  const Json& ownerOf(const MaterialRow& row) const {
+    const Json* owner = &json_;
+    for (std::string_view left = row.place; !left.empty();) {
+      const std::size_t end = std::min(left.find('/'), left.size());
+      owner = &member(*owner, left.substr(0, end));
+      left.remove_prefix(std::min(end + 1, left.size()));
+    }
+    return *owner;
   }
 
-  void readBase() {
-    const Json& pbr = member(json_, "pbrMetallicRoughness");
-    const std::string place = "/pbrMetallicRoughness";
-    material_.baseColor = vectorOr<4>(pbr, "baseColorFactor", material_.baseColor);
-    material_.metallic = floatOr(pbr, "metallicFactor", material_.metallic);
-    material_.roughness = floatOr(pbr, "roughnessFactor", material_.roughness);
-    material_.baseColorTexture = texture(pbr, place, "baseColorTexture", ColorMeaning::srgb);
-    material_.metallicRoughnessTexture = texture(pbr, place, "metallicRoughnessTexture", ColorMeaning::linear);
+  void readFactor(const MaterialRow& row) {
+    const Json& owner = ownerOf(row);
+    if (const auto* number = std::get_if<float Material::*>(&row.field))
+      material_.*(*number) = floatOr(owner, row.key, row.otherwise);
+    else if (const auto* color = std::get_if<vec3 Material::*>(&row.field))
+      material_.*(*color) = vectorOr<3>(owner, row.key, vec3(row.otherwise));
+    else if (const auto* withAlpha = std::get_if<vec4 Material::*>(&row.field))
+      material_.*(*withAlpha) = vectorOr<4>(owner, row.key, vec4(row.otherwise));
   }
 
-  void readSurface() {
-    material_.normalTexture = texture(json_, "", "normalTexture", ColorMeaning::linear);
-    material_.normalScale = floatOr(member(json_, "normalTexture"), "scale", 1.0f);
-    const std::string place = "/extensions/KHR_materials_specular";
-    const Json& specular = extension("KHR_materials_specular");
-    material_.specular = floatOr(specular, "specularFactor", 1.0f);
-    material_.specularColor = vectorOr<3>(specular, "specularColorFactor", vec3(1.0f));
-    material_.specularTexture = texture(specular, place, "specularTexture", ColorMeaning::linear);
-    material_.specularColorTexture = texture(specular, place, "specularColorTexture", ColorMeaning::srgb);
+  void readTexture(const MaterialRow& row) {
+    const auto* texture = std::get_if<MaterialTexture>(&row.field);
+    if (texture == nullptr || (texture->isNeeded != nullptr && !texture->isNeeded(material_))) return;
+    const std::string place = row.place.empty() ? "" : fmt::format("/{}", row.place);
+    material_.*texture->index = textures_.use(member(ownerOf(row), row.key),
+                                              fmt::format("{}{}/{}", pointer_, place, row.key), texture->meaning);
   }
 
   void readEmission() {
-    const float strength = floatOr(extension("KHR_materials_emissive_strength"), "emissiveStrength", 1.0f);
-    material_.emission = vectorOr<3>(json_, "emissiveFactor", vec3(0.0f)) * strength;
-    if (material_.emission == vec3(0.0f)) return;
-    material_.emissiveTexture = texture(json_, "", "emissiveTexture", ColorMeaning::srgb);
-    material_.flags |= kMaterialEmissive;
+    material_.emission *= floatOr(extension("KHR_materials_emissive_strength"), "emissiveStrength", 1.0f);
+    if (material_.emission != vec3(0.0f)) material_.flags |= kMaterialEmissive;
   }
 
   void readTransmission(const GltfSource& source) {
-    const Json& transmission = extension("KHR_materials_transmission");
-    const std::string place = "/extensions/KHR_materials_transmission";
-    material_.transmission = floatOr(transmission, "transmissionFactor", 0.0f);
-    material_.transmissionTexture = texture(transmission, place, "transmissionTexture", ColorMeaning::linear);
     material_.ior = ior(source);
     const Json& volume = extension("KHR_materials_volume");
     if (numberOr(volume, "thicknessFactor", 0.0) <= 0.0) return;
@@ -105,23 +98,12 @@ class MaterialReader {
     return result;
   }
 
-  void readLayers() {
-    const Json& clearcoat = extension("KHR_materials_clearcoat");
-    const std::string place = "/extensions/KHR_materials_clearcoat";
-    material_.clearcoat = floatOr(clearcoat, "clearcoatFactor", 0.0f);
-    material_.clearcoatRoughness = floatOr(clearcoat, "clearcoatRoughnessFactor", 0.0f);
-    material_.clearcoatNormalScale = floatOr(member(clearcoat, "clearcoatNormalTexture"), "scale", 1.0f);
-    if (material_.clearcoat == 0) return;
-    material_.clearcoatNormalTexture = texture(clearcoat, place, "clearcoatNormalTexture", ColorMeaning::linear);
-    material_.clearcoatTexture = texture(clearcoat, place, "clearcoatTexture", ColorMeaning::linear);
-    material_.clearcoatRoughnessTexture = texture(clearcoat, place, "clearcoatRoughnessTexture", ColorMeaning::linear);
-  }
-
-  void readAlpha() {
+  void readFlags() {
     const std::string mode = stringOr(json_, "alphaMode", "OPAQUE");
-    material_.alphaCutoff = floatOr(json_, "alphaCutoff", 0.5f);
     if (mode == "MASK") material_.flags |= kMaterialAlphaMask;
     if (mode == "BLEND") material_.flags |= kMaterialAlphaBlend;
+    if (booleanOr(json_, "doubleSided", false)) material_.flags |= kMaterialDoubleSided;
+    if (extension("KHR_materials_unlit").is_object()) material_.flags |= kMaterialUnlit;
   }
 
   const Json& json_;
@@ -134,32 +116,21 @@ class MaterialReader {
 
 Material defaultMaterial() {
   Material material{};
-  material.baseColor = vec4(1.0f);
-  material.metallic = 1.0f;
-  material.roughness = 1.0f;
-  material.specularColor = vec3(1.0f);
   material.ior = 1.5f;
-  material.specular = 1.0f;
-  material.normalScale = 1.0f;
-  material.clearcoatNormalScale = 1.0f;
-  material.alphaCutoff = 0.5f;
-  for (uint* texture : {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-                        &material.emissiveTexture, &material.transmissionTexture, &material.specularTexture,
-                        &material.specularColorTexture, &material.clearcoatTexture, &material.clearcoatRoughnessTexture,
-                        &material.clearcoatNormalTexture}) {
-    *texture = kNone;
+  for (const MaterialRow& row : materialRows()) {
+    if (const auto* number = std::get_if<float Material::*>(&row.field)) material.*(*number) = row.otherwise;
+    if (const auto* color = std::get_if<vec3 Material::*>(&row.field)) material.*(*color) = vec3(row.otherwise);
+    if (const auto* withAlpha = std::get_if<vec4 Material::*>(&row.field)) material.*(*withAlpha) = vec4(row.otherwise);
+    if (const auto* texture = std::get_if<MaterialTexture>(&row.field)) material.*texture->index = kNone;
   }
   return material;
 }
 
 unsigned uvSetsOf(const Material& material, const std::vector<Texture>& textures) {
   unsigned sets = 0;
-  for (const uint texture :
-       {material.baseColorTexture, material.metallicRoughnessTexture, material.normalTexture, material.emissiveTexture,
-        material.transmissionTexture, material.specularTexture, material.specularColorTexture,
-        material.clearcoatTexture, material.clearcoatRoughnessTexture, material.clearcoatNormalTexture}) {
+  visitTextures(material, [&](uint texture) {
     if (texture != kNone) sets |= 1u << textures[texture].uvSet;
-  }
+  });
   return sets;
 }
 

@@ -1,12 +1,13 @@
 #include "scene/gltf_schema_rules.h"
 
+#include "scene/material_table.h"
+
 namespace importon {
 namespace {
 
 using enum SchemaKind;
 
 constexpr double kMaxInteger = 2147483647.0;
-constexpr double kBrightestFactor = 1e18;  // of a factor: products of two stay finite as floats
 
 /// Collects rules below one path.
 class Rules {
@@ -125,34 +126,22 @@ void addTextures(std::vector<SchemaRule>& rules) {
 void addMaterials(std::vector<SchemaRule>& rules) {
   Rules material(rules, "materials/*");
   material.optional("pbrMetallicRoughness", object).optional("extensions", object);
-  material.vector("emissiveFactor", 3, 0, kBrightestFactor).texture("emissiveTexture");
-  material.texture("normalTexture").optional("normalTexture/scale", number);
-  material.choice("alphaMode", {"OPAQUE", "MASK", "BLEND"}, false)
-      .range("alphaCutoff", 0)
-      .optional("doubleSided", boolean);
-  Rules pbr(rules, "materials/*/pbrMetallicRoughness");
-  pbr.vector("baseColorFactor", 4, 0, 1).texture("baseColorTexture");
-  pbr.range("metallicFactor", 0, 1).range("roughnessFactor", 0, 1).texture("metallicRoughnessTexture");
-}
-
-void addMaterialExtensions(std::vector<SchemaRule>& rules) {
+  material.choice("alphaMode", {"OPAQUE", "MASK", "BLEND"}, false).optional("doubleSided", boolean);
   Rules extension(rules, "materials/*/extensions");
   for (const char* name : {"emissive_strength", "transmission", "ior", "volume", "specular", "clearcoat", "unlit"}) {
     extension.optional(std::string("KHR_materials_") + name, object);
   }
   extension.range("KHR_materials_emissive_strength/emissiveStrength", 0, kBrightestFactor)
       .range("KHR_materials_ior/ior", 0);
-  Rules transmission(rules, "materials/*/extensions/KHR_materials_transmission");
-  transmission.range("transmissionFactor", 0, 1).texture("transmissionTexture");
   Rules volume(rules, "materials/*/extensions/KHR_materials_volume");
   volume.range("thicknessFactor", 0).range("attenuationDistance", 0).vector("attenuationColor", 3, 0, 1);
-  Rules specular(rules, "materials/*/extensions/KHR_materials_specular");
-  specular.range("specularFactor", 0, 1).texture("specularTexture");
-  specular.vector("specularColorFactor", 3, 0).texture("specularColorTexture");
-  Rules clearcoat(rules, "materials/*/extensions/KHR_materials_clearcoat");
-  clearcoat.range("clearcoatFactor", 0, 1).texture("clearcoatTexture");
-  clearcoat.range("clearcoatRoughnessFactor", 0, 1).texture("clearcoatRoughnessTexture");
-  clearcoat.texture("clearcoatNormalTexture").optional("clearcoatNormalTexture/scale", number);
+  for (const MaterialRow& row : materialRows()) {
+    const std::string key = (row.place.empty() ? "" : std::string(row.place) + "/") + std::string(row.key);
+    if (std::holds_alternative<MaterialTexture>(row.field)) material.texture(key);
+    if (std::holds_alternative<float Material::*>(row.field)) material.range(key, row.least, row.most);
+    if (std::holds_alternative<vec3 Material::*>(row.field)) material.vector(key, 3, row.least, row.most);
+    if (std::holds_alternative<vec4 Material::*>(row.field)) material.vector(key, 4, row.least, row.most);
+  }
 }
 
 void addCamerasAndLights(std::vector<SchemaRule>& rules) {
@@ -178,7 +167,6 @@ std::vector<SchemaRule> makeRules() {
   addData(rules);
   addTextures(rules);
   addMaterials(rules);
-  addMaterialExtensions(rules);
   addCamerasAndLights(rules);
   return rules;
 }

@@ -9,11 +9,10 @@
 
 #include "base/log.h"
 #include "scene/gltf_document.h"
+#include "scene/material_table.h"
 #include "shared/scene_data.h"
 
 namespace importon {
-
-enum class ColorMeaning { linear, srgb };
 
 /// Collects textures: equal uses of an image share one entry.
 class TextureTable {

@@ -38,6 +38,16 @@ void ignoreMessage(j_common_ptr jpeg, int level) {
   if (level < 0 && jpeg->err->msg_code == JWRN_JPEG_EOF) keepJpegMessage(jpeg);
 }
 
+/// Of a row of cyan, magenta, yellow and black makes RGBA, without a profile: what passes the colour and the black.
+/// Adobe's files hold the light that passes, others the ink. [Adobe technical note 5116, on the transform flag]
+void mixInks(JSAMPROW row, JDIMENSION width, bool isLight) {
+  for (JDIMENSION x = 0; x < width; ++x, row += 4) {
+    for (int c = 0; c < 4; ++c) row[c] = static_cast<JSAMPLE>(isLight ? row[c] : 255 - row[c]);
+    for (int c = 0; c < 3; ++c) row[c] = static_cast<JSAMPLE>((row[c] * row[3] + 127) / 255);
+    row[3] = 255;
+  }
+}
+
 /// libjpeg's state, freed however reading ends. libjpeg jumps back to setjmp past any destructor: its methods
 /// have nothing to destroy.
 class JpegReader {
@@ -62,12 +72,14 @@ class JpegReader {
   /// After readHeader. `texels` holds size().texels().
   bool read(uint* texels) {
     if (setjmp(error_.jump) != 0) return false;
-    jpeg_.out_color_space = JCS_EXT_RGBA;
+    const bool hasInks = jpeg_.jpeg_color_space == JCS_CMYK || jpeg_.jpeg_color_space == JCS_YCCK;
+    jpeg_.out_color_space = hasInks ? JCS_CMYK : JCS_EXT_RGBA;
     jpeg_start_decompress(&jpeg_);
     while (jpeg_.output_scanline < jpeg_.output_height) {
       const std::size_t row = jpeg_.output_scanline;
       auto* line = reinterpret_cast<JSAMPROW>(texels + row * jpeg_.output_width);
       jpeg_read_scanlines(&jpeg_, &line, 1);
+      if (hasInks) mixInks(line, jpeg_.output_width, jpeg_.saw_Adobe_marker != 0);
     }
     jpeg_finish_decompress(&jpeg_);
     return true;

@@ -13,14 +13,14 @@ struct Corners {
 
 layout(scalar, binding = 0) readonly buffer TrianglesBlock { Corners triangles[]; };
 layout(scalar, binding = 1) writeonly buffer BouncesBlock { uint bounces[]; };  // until the walker escaped
-layout(binding = 2) uniform usamplerBuffer bvhNodes;
+layout(binding = 2) uniform usamplerBuffer bvhTexels;
 layout(push_constant, scalar) uniform Push {
   uint count;
   uint most;  // bounces
   vec3 start;
 } push;
 
-uvec4 bvhNodeTexel(uint index) { return texelFetch(bvhNodes, int(index)); }
+uvec4 bvhNodeTexel(uint index) { return texelFetch(bvhTexels, int(index)); }
 bool acceptHit(uint triangle, vec2 barycentrics, uint rayId) { return true; }
 
 #include "lib/traverse.glsl"

@@ -27,14 +27,11 @@ class BounceTest : public GpuTest {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       for (int corner = 0; corner < 3; ++corner) corners.push_back(mesh.vertex(t, corner));
     const Bvh bvh = buildBvh(mesh.positions, mesh.triangles);
-    const gpu::Kernel kernel(context(), "bounce", accel_test_kernels::spirv("bounce"));
+    const gpu::Kernel kernel(context(), "bounce", accel_test_kernels::code("bounce"));
     const gpu::Buffer triangles = gpu::makeBuffer<vec3>(context(), "triangles", corners);
     const gpu::Buffer bounces(context(), "bounces", walkers * sizeof(std::uint32_t));
     const gpu::Buffer nodes = gpu::makeBuffer<BvhRecord>(context(), "BVH", bvh.nodes, gpu::TexelFormat::uint4);
-    gpu::BindingTable bindings;
-    bindings.set(0, triangles);
-    bindings.set(1, bounces);
-    bindings.set(2, nodes);
+    const gpu::Buffer* const bindings[] = {&triangles, &bounces, &nodes};
     gpu::Recorder recorder(context());
     recorder.dispatch(kernel, bindings, walkers, BouncePush{walkers, kBounces, start});
     recorder.submitAndWait();

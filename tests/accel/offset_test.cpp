@@ -56,7 +56,7 @@ TEST_F(OffsetTest, ARayThatLeavesATriangleNeverHitsItAgain) {
   std::mt19937 engine(5);
   std::vector<Leaving> leaving;
   for (int i = 0; i < 1000000; ++i) leaving.push_back(randomLeaving(engine));
-  const auto outcomes = runKernel<Outcome>(context(), accel_test_kernels::spirv("leaving_ray"), leaving);
+  const auto outcomes = runKernel<Outcome>(context(), accel_test_kernels::code("leaving_ray"), leaving);
   std::size_t again = 0;
   for (const Outcome& outcome : outcomes) again += outcome.hitsAgain;
   EXPECT_EQ(again, 0u);
@@ -66,7 +66,7 @@ TEST_F(OffsetTest, OriginsLieOnTheSideThatTheRayGoesTo) {
   std::mt19937 engine(6);
   std::vector<Leaving> leaving;
   for (int i = 0; i < 200000; ++i) leaving.push_back(randomLeaving(engine));
-  const auto outcomes = runKernel<Outcome>(context(), accel_test_kernels::spirv("leaving_ray"), leaving);
+  const auto outcomes = runKernel<Outcome>(context(), accel_test_kernels::code("leaving_ray"), leaving);
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < leaving.size(); ++i) {
     const Leaving& l = leaving[i];
@@ -85,7 +85,7 @@ TEST_F(OffsetTest, OriginsLieOnTheSideThatTheRayGoesTo) {
 TEST_F(OffsetTest, OffsetsAreAFewRoundingsOfPositionAndSize) {
   const std::vector<Leaving> leaving{{vec3(0, 0, 8), vec3(1, 0, 8), vec3(0, 1, 8), 0.25f, 0.25f, vec3(0, 0, 1), 0},
                                      {vec3(0, 0, 0), vec3(1, 0, 0), vec3(0, 1, 0), 0.25f, 0.25f, vec3(0, 0, -1), 0}};
-  const auto outcomes = runKernel<Outcome>(context(), accel_test_kernels::spirv("leaving_ray"), leaving);
+  const auto outcomes = runKernel<Outcome>(context(), accel_test_kernels::code("leaving_ray"), leaving);
   EXPECT_GT(outcomes[0].origin.z, 8.0f);
   EXPECT_LT(outcomes[0].origin.z, 8.0f + 8.0f * 0x1p-21f);
   EXPECT_LE(outcomes[1].origin.z, 0.0f);

@@ -4,42 +4,29 @@
 #include <array>
 #include <numeric>
 
-#include "kernels/registry.h"
-#include "shared/bindings.h"
+#include "render/device/kernel_variants.h"
 #include "shared/features.h"
-#include "shared/push_data.h"
 
 namespace importon::test {
 namespace {
 
 constexpr std::size_t kCounters = 64;
 
-gpu::Kernel makeKernel(gpu::Context& context, const char* module, bool isAnyHit, std::size_t invocations) {
-  const std::array<gpu::Specialization, 2> constants{
-      {{kSpecAnyHit, isAnyHit ? 1u : 0u}, {kSpecTraceInvocations, static_cast<std::uint32_t>(invocations)}}};
-  return gpu::Kernel(context, isAnyHit ? "trace any" : "trace closest", kernels::spirv(module), constants);
-}
-
 }  // namespace
 
-RayTracer::RayTracer(gpu::Context& context, const Bvh& bvh) : RayTracer(context, bvh, "trace") {}
-
-RayTracer::RayTracer(gpu::Context& context, const Bvh& bvh, const Scene& scene)
-    : RayTracer(context, bvh, "trace_alpha") {
-  scene_ = uploadScene(context, scene, bvh);
-  scene_.bind(bindings_);
+RayTracer::RayTracer(gpu::Context& context, const Bvh& bvh) : RayTracer(context, bvh, false) {
+  scene_.bvh = gpu::makeBuffer<BvhRecord>(context, "BVH", bvh.nodes, gpu::TexelFormat::uint4);
 }
 
-RayTracer::RayTracer(gpu::Context& context, const Bvh& bvh, const char* module)
+RayTracer::RayTracer(gpu::Context& context, const Bvh& bvh, const Scene& scene) : RayTracer(context, bvh, true) {
+  scene_ = uploadScene(context, scene, bvh);
+}
+
+RayTracer::RayTracer(gpu::Context& context, const Bvh&, bool hasAlpha)
     : context_(context),
       invocations_(context.limits().isCpu ? 1u << 11 : 1u << 18),
-      closest_(makeKernel(context, module, false, invocations_)),
-      any_(makeKernel(context, module, true, invocations_)),
-      bvh_(gpu::makeBuffer<BvhRecord>(context, "BVH", bvh.nodes, gpu::TexelFormat::uint4)),
-      counters_(gpu::makeBuffer<std::uint32_t>(context, "counters", std::vector<std::uint32_t>(kCounters, 0))) {
-  bindings_.set(kBindingBvhNodes, bvh_);
-  bindings_.set(kBindingCounters, counters_);
-}
+      kernels_(context, {{kSpecTraceInvocations, static_cast<std::uint32_t>(invocations_)}}, hasAlpha),
+      counters_(gpu::makeBuffer<std::uint32_t>(context, "counters", std::vector<std::uint32_t>(kCounters, 0))) {}
 
 void RayTracer::upload(std::span<const Ray> rays) {
   count_ = rays.size();
@@ -48,17 +35,21 @@ void RayTracer::upload(std::span<const Ray> rays) {
   rays_ = gpu::makeBuffer(context_, "rays", rays, gpu::TexelFormat::uint4);
   hits_ = gpu::Buffer(context_, "hits", count_ * sizeof(Hit));
   queue_ = gpu::makeBuffer<std::uint32_t>(context_, "queue", queue);
-  bindings_.set(kBindingRayTexels, rays_);
-  bindings_.set(kBindingHits, hits_);
-  bindings_.set(kBindingQueue, queue_);
   const auto length = static_cast<std::uint32_t>(count_);
   counters_.upload(std::span(&length, 1));
 }
 
 void RayTracer::trace(bool isAnyHit) {
   gpu::Recorder recorder(context_);
-  recorder.dispatch(isAnyHit ? any_ : closest_, bindings_, std::max((count_ + 31) / 32, std::min(count_, invocations_)),
-                    TracePush{0});
+  const std::size_t count = std::max((count_ + 31) / 32, std::min(count_, invocations_));
+  const struct { const gpu::Buffer &counters, &rays, &hits, &queue; } own{counters_, rays_, hits_, queue_};
+  const auto dispatch = [&]<class Call>(Call) {
+    recorder.dispatch(kernels_.get<Call>(), Call::buffers(own, scene_), count, typename Call::Push{0});
+  };
+  if (kernels_.hasAlpha())
+    isAnyHit ? dispatch(kernels::TraceShadowAlpha{}) : dispatch(kernels::TraceClosestAlpha{});
+  else
+    isAnyHit ? dispatch(kernels::TraceShadow{}) : dispatch(kernels::TraceClosest{});
   recorder.submitAndWait();
   seconds_ = recorder.times().front().milliseconds * 1e-3;
 }

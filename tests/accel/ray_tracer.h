@@ -5,8 +5,8 @@
 
 #include "accel/bvh.h"
 #include "gpu/buffer.h"
-#include "gpu/kernel.h"
 #include "gpu/recorder.h"
+#include "render/device/kernel_set.h"
 #include "render/device_scene/device_scene.h"
 #include "scene/scene.h"
 #include "shared/ray_data.h"
@@ -35,14 +35,13 @@ class RayTracer {
   [[nodiscard]] std::vector<Hit> anyHits(std::span<const Ray> rays);
 
  private:
-  RayTracer(gpu::Context& context, const Bvh& bvh, const char* module);
+  RayTracer(gpu::Context& context, const Bvh& bvh, bool hasAlpha);
 
   gpu::Context& context_;
   std::size_t invocations_;  // that a short queue is spread over
-  gpu::Kernel closest_, any_;
+  KernelSet kernels_;
   DeviceScene scene_;
-  gpu::Buffer bvh_, counters_, rays_, hits_, queue_;
-  gpu::BindingTable bindings_;
+  gpu::Buffer counters_, rays_, hits_, queue_;
   std::size_t count_ = 0;
   double seconds_ = 0;
 };

@@ -33,14 +33,11 @@ class TraverseTest : public GpuTest {
   std::vector<Hit> bruteForce(const Bvh& bvh, const std::vector<Ray>& rays) const {
     const std::vector<BvhRecord> leaves = leafRecords(bvh);
     EXPECT_LE(leaves.size(), 60000u);
-    const gpu::Kernel kernel(context(), "brute force", accel_test_kernels::spirv("brute_force"));
+    const gpu::Kernel kernel(context(), "brute force", accel_test_kernels::code("brute_force"));
     const gpu::Buffer rayBuffer = gpu::makeBuffer<Ray>(context(), "rays", rays);
     const gpu::Buffer hits(context(), "hits", rays.size() * sizeof(Hit));
     const gpu::Buffer triangles = gpu::makeBuffer<BvhRecord>(context(), "triangles", leaves, gpu::TexelFormat::uint4);
-    gpu::BindingTable bindings;
-    bindings.set(0, rayBuffer);
-    bindings.set(1, hits);
-    bindings.set(2, triangles);
+    const gpu::Buffer* const bindings[] = {&rayBuffer, &hits, &triangles};
     gpu::Recorder recorder(context());
     recorder.dispatch(
         kernel, bindings, rays.size(),

@@ -141,11 +141,8 @@ TEST_F(BufferTest, TexelsReachPastTheLimitOfStorageBuffers) {
   uints.upload(std::span<const std::uint32_t>(uintTexel), index * 16ull);
   floats.upload(std::span<const float>(floatTexel), index * 16ull);
   const Buffer out(context(), "out", 32);
-  const Kernel kernel(context(), "texels", test_kernels::spirv("texels"));
-  BindingTable bindings;
-  bindings.set(0, uints);
-  bindings.set(1, out);
-  bindings.set(2, floats);
+  const Kernel kernel(context(), "texels", test_kernels::code("texels"));
+  const Buffer* const bindings[] = {&uints, &out, &floats};
   Recorder recorder(context());
   recorder.dispatch(kernel, bindings, 1, index);
   recorder.submitAndWait();

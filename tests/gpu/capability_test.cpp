@@ -24,13 +24,13 @@ std::set<std::uint32_t> capabilitiesOf(std::span<const std::uint32_t> spirv) {
 TEST(Capabilities, OfKernelsAreThoseOfEveryDevice) {
   const std::set<std::uint32_t> everywhere = {spv::CapabilityShader, spv::CapabilitySampledBuffer,
                                               spv::CapabilityImageQuery};
-  for (const std::string_view name : kernels::names())
-    for (const std::uint32_t capability : capabilitiesOf(kernels::spirv(name)))
-      EXPECT_TRUE(everywhere.contains(capability)) << name << " declares capability " << capability;
+  for (const KernelCode* code : kernels::all())
+    for (const std::uint32_t capability : capabilitiesOf(code->spirv()))
+      EXPECT_TRUE(everywhere.contains(capability)) << code->name << " declares capability " << capability;
 }
 
 TEST(Capabilities, AreSeen) {
-  EXPECT_TRUE(capabilitiesOf(test_kernels::spirv("needs_int64")).contains(spv::CapabilityInt64));
+  EXPECT_TRUE(capabilitiesOf(test_kernels::code("needs_int64").spirv()).contains(spv::CapabilityInt64));
 }
 
 }  // namespace

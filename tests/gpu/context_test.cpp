@@ -12,9 +12,9 @@
 namespace importon::gpu {
 namespace {
 
-class Context : public test::GpuTest {};
+class ContextTest : public test::GpuTest {};
 
-TEST_F(Context, DescribesItsDevice) {
+TEST_F(ContextTest, DescribesItsDevice) {
   EXPECT_FALSE(context().info().name.empty());
   EXPECT_FALSE(context().info().driver.empty());
   EXPECT_FALSE(context().info().type.empty());
@@ -22,7 +22,7 @@ TEST_F(Context, DescribesItsDevice) {
   EXPECT_TRUE(context().info().missing.empty());
 }
 
-TEST_F(Context, LimitsMeetWhatVulkanPromises) {
+TEST_F(ContextTest, LimitsMeetWhatVulkanPromises) {
   const Limits& limits = context().limits();
   EXPECT_GE(limits.maxStorageBufferRange, 1u << 27);
   EXPECT_GE(limits.maxTexelBufferElements, 1u << 16);
@@ -33,7 +33,7 @@ TEST_F(Context, LimitsMeetWhatVulkanPromises) {
   EXPECT_EQ(limits.isCpu, context().info().type == "cpu");
 }
 
-TEST_F(Context, ListsExactlyOneDefaultDevice) {
+TEST_F(ContextTest, ListsExactlyOneDefaultDevice) {
   int defaults = 0;
   for (const DeviceInfo& device : listDevices()) {
     if (!device.isDefault) continue;
@@ -43,7 +43,7 @@ TEST_F(Context, ListsExactlyOneDefaultDevice) {
   EXPECT_EQ(defaults, 1);
 }
 
-TEST_F(Context, OpensADeviceByIndexAndByName) {
+TEST_F(ContextTest, OpensADeviceByIndexAndByName) {
   const auto devices = listDevices();
   for (std::size_t i = 0; i < devices.size(); ++i) {
     if (!devices[i].missing.empty()) continue;
@@ -53,9 +53,9 @@ TEST_F(Context, OpensADeviceByIndexAndByName) {
   }
 }
 
-TEST_F(Context, RefusesAnUnknownDevice) { EXPECT_THROW(gpu::Context({.device = "no such device"}), DeviceError); }
+TEST_F(ContextTest, RefusesAnUnknownDevice) { EXPECT_THROW(gpu::Context({.device = "no such device"}), DeviceError); }
 
-TEST_F(Context, CountsAllocatedBytesAndTheirPeak) {
+TEST_F(ContextTest, CountsAllocatedBytesAndTheirPeak) {
   gpu::Context own({});
   EXPECT_EQ(own.allocatedBytes(), 0u);
   {
@@ -69,7 +69,7 @@ TEST_F(Context, CountsAllocatedBytesAndTheirPeak) {
   EXPECT_GE(own.peakBytes(), 3u << 20);
 }
 
-TEST_F(Context, MayBeDestroyedBeforeWhatWasMadeFromIt) {
+TEST_F(ContextTest, MayBeDestroyedBeforeWhatWasMadeFromIt) {
   auto own = std::make_unique<gpu::Context>(ContextOptions{});
   const std::vector<std::uint32_t> data = {1, 2, 3};
   const Buffer buffer = makeBuffer(*own, "survivor", std::span<const std::uint32_t>(data));

@@ -18,10 +18,9 @@ class KernelTest : public test::GpuTest {
  protected:
   /// Workgroup size and constants as the kernel `constants` sees them.
   std::vector<std::uint32_t> constantsSeen(std::span<const Specialization> specialization) {
-    const Kernel kernel(context(), "constants", test_kernels::spirv("constants"), specialization);
+    const Kernel kernel(context(), "constants", test_kernels::code("constants"), specialization);
     const Buffer out(context(), "out", 16);
-    BindingTable bindings;
-    bindings.set(1, out);
+    const Buffer* const bindings[] = {&out};
     Recorder recorder(context());
     recorder.dispatch(kernel, bindings, 1);
     recorder.submitAndWait();
@@ -37,16 +36,15 @@ TEST_F(KernelTest, TakesConstantsAndWorkgroupSizeFromTheSpecialization) {
   const std::uint32_t scale = std::bit_cast<std::uint32_t>(2.25f);
   const std::vector<Specialization> specialization = {{3, 1}, {0, 32}, {1, 99}, {2, scale}};
   EXPECT_EQ(constantsSeen(specialization), (std::vector<std::uint32_t>{32, 99, scale, 1}));
-  const Kernel kernel(context(), "constants", test_kernels::spirv("constants"), specialization);
+  const Kernel kernel(context(), "constants", test_kernels::code("constants"), specialization);
   EXPECT_EQ(kernel.workgroupSize(), 32u);
 }
 
 TEST_F(KernelTest, KeepsTheWorkgroupSizeThatTheKernelDeclares) {
-  const Kernel kernel(context(), "fixed", test_kernels::spirv("fixed_workgroup"));
+  const Kernel kernel(context(), "fixed", test_kernels::code("fixed_workgroup"));
   EXPECT_EQ(kernel.workgroupSize(), 128u);
   const Buffer out(context(), "out", 256 * 4);
-  BindingTable bindings;
-  bindings.set(1, out);
+  const Buffer* const bindings[] = {&out};
   Recorder recorder(context());
   recorder.dispatch(kernel, bindings, 256);
   recorder.submitAndWait();
@@ -56,9 +54,9 @@ TEST_F(KernelTest, KeepsTheWorkgroupSizeThatTheKernelDeclares) {
 
 TEST_F(KernelTest, RefusesAWorkgroupSizeAboveTheLimit) {
   const Specialization tooLarge{0, context().limits().maxWorkgroupSize + 1};
-  EXPECT_THROW(Kernel(context(), "large", test_kernels::spirv("constants"), std::span(&tooLarge, 1)), DeviceError);
+  EXPECT_THROW(Kernel(context(), "large", test_kernels::code("constants"), std::span(&tooLarge, 1)), DeviceError);
   const Specialization none{0, 0};
-  EXPECT_THROW(Kernel(context(), "none", test_kernels::spirv("constants"), std::span(&none, 1)), DeviceError);
+  EXPECT_THROW(Kernel(context(), "none", test_kernels::code("constants"), std::span(&none, 1)), DeviceError);
 }
 
 TEST_F(KernelTest, MayBeMadeByManyThreads) {
@@ -67,14 +65,13 @@ TEST_F(KernelTest, MayBeMadeByManyThreads) {
   for (std::uint32_t i = 0; i < kernels.size(); ++i) {
     threads.emplace_back([&, i] {
       const Specialization count{1, i};
-      kernels[i] = Kernel(context(), "constants", test_kernels::spirv("constants"), std::span(&count, 1));
+      kernels[i] = Kernel(context(), "constants", test_kernels::code("constants"), std::span(&count, 1));
       kernels[i].compile();
     });
   }
   for (std::thread& thread : threads) thread.join();
   const Buffer out(context(), "out", 16);
-  BindingTable bindings;
-  bindings.set(1, out);
+  const Buffer* const bindings[] = {&out};
   Recorder recorder(context());
   for (std::uint32_t i = 0; i < kernels.size(); ++i) {
     recorder.dispatch(kernels[i], bindings, 1);
@@ -83,11 +80,10 @@ TEST_F(KernelTest, MayBeMadeByManyThreads) {
   }
 }
 
-TEST_F(KernelTest, MissingBufferIsALogicErrorThatNamesKernelAndSlot) {
-  const Kernel kernel(context(), "shift", test_kernels::spirv("shift_add"));
+TEST_F(KernelTest, MissingBufferIsALogicErrorThatNamesKernelAndBuffer) {
+  const Kernel kernel(context(), "shift", test_kernels::code("shift_add"));
   const Buffer buffer(context(), "buffer", 64);
-  BindingTable bindings;
-  bindings.set(0, buffer);
+  const Buffer* const bindings[] = {&buffer, nullptr};
   Recorder recorder(context());
   struct Push {
     std::uint32_t count = 1, step = 1;
@@ -96,25 +92,22 @@ TEST_F(KernelTest, MissingBufferIsALogicErrorThatNamesKernelAndSlot) {
     recorder.dispatch(kernel, bindings, 1, Push{});
     FAIL() << "no error";
   } catch (const std::logic_error& error) {
-    EXPECT_STREQ(error.what(), "kernel 'shift', slot 1 (Out): no buffer is bound");
+    EXPECT_STREQ(error.what(), "kernel 'shift', buffer 'out': there is none");
   }
 }
 
 TEST_F(KernelTest, BufferWithoutTexelFormatIsRefusedWhereTexelsAreRead) {
-  const Kernel kernel(context(), "texels", test_kernels::spirv("texels"));
+  const Kernel kernel(context(), "texels", test_kernels::code("texels"));
   const Buffer buffer(context(), "plain", 64);
-  BindingTable bindings;
-  for (const std::uint32_t slot : {0u, 1u, 2u}) bindings.set(slot, buffer);
+  const Buffer* const bindings[] = {&buffer, &buffer, &buffer};
   Recorder recorder(context());
   EXPECT_THROW(recorder.dispatch(kernel, bindings, 1, 0u), std::logic_error);
 }
 
 TEST_F(KernelTest, PushConstantsOfAnotherSizeAreALogicError) {
-  const Kernel kernel(context(), "shift", test_kernels::spirv("shift_add"));
+  const Kernel kernel(context(), "shift", test_kernels::code("shift_add"));
   const Buffer buffer(context(), "buffer", 64);
-  BindingTable bindings;
-  bindings.set(0, buffer);
-  bindings.set(1, buffer);
+  const Buffer* const bindings[] = {&buffer, &buffer};
   Recorder recorder(context());
   EXPECT_THROW(recorder.dispatch(kernel, bindings, 1, 1u), std::logic_error);
   EXPECT_THROW(recorder.dispatch(kernel, bindings, 1), std::logic_error);
@@ -124,9 +117,8 @@ TEST_F(KernelTest, BufferTooLargeToBindIsADeviceErrorWithNeedAndLimit) {
   const std::uint64_t limit = context().limits().maxStorageBufferRange;
   if (limit > 256u << 20) GTEST_SKIP() << "this device binds " << (limit >> 20) << " MiB as storage buffer";
   const Buffer large(context(), "large", limit + 4);
-  const Kernel kernel(context(), "constants", test_kernels::spirv("constants"));
-  BindingTable bindings;
-  bindings.set(1, large);
+  const Kernel kernel(context(), "constants", test_kernels::code("constants"));
+  const Buffer* const bindings[] = {&large};
   Recorder recorder(context());
   try {
     recorder.dispatch(kernel, bindings, 1);
@@ -138,10 +130,15 @@ TEST_F(KernelTest, BufferTooLargeToBindIsADeviceErrorWithNeedAndLimit) {
   }
 }
 
-TEST_F(KernelTest, WhatIsNoModuleIsALogicError) {
-  const std::vector<std::uint32_t> words(8, 42);
-  EXPECT_THROW(Kernel(context(), "noise", words), std::logic_error);
+TEST_F(KernelTest, AnotherNumberOfBuffersIsALogicError) {
+  const Kernel kernel(context(), "shift", test_kernels::code("shift_add"));
+  const Buffer buffer(context(), "buffer", 64);
+  const Buffer* const bindings[] = {&buffer};
+  Recorder recorder(context());
+  EXPECT_THROW(recorder.dispatch(kernel, bindings, 1, std::uint64_t{0}), std::logic_error);
 }
+
+TEST_F(KernelTest, UnknownKernelIsALogicError) { EXPECT_THROW((void)test_kernels::code("noise"), std::logic_error); }
 
 }  // namespace
 }  // namespace importon::gpu

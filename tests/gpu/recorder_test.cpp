@@ -23,7 +23,7 @@ class RecorderTest : public test::GpuTest {
   void SetUp() override {
     GpuTest::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
-    shiftAdd_ = Kernel(context(), "shift add", test_kernels::spirv("shift_add"));
+    shiftAdd_ = Kernel(context(), "shift add", test_kernels::code("shift_add"));
     std::vector<std::uint32_t> start(kCount);
     std::iota(start.begin(), start.end(), 0u);
     buffers_[0] = makeBuffer(context(), "ping", std::span<const std::uint32_t>(start));
@@ -33,9 +33,7 @@ class RecorderTest : public test::GpuTest {
   /// Records `steps` dispatches, each of which reads what the one before wrote.
   void recordChain(Recorder& recorder, std::uint32_t steps) {
     for (std::uint32_t i = 0; i < steps; ++i) {
-      BindingTable bindings;
-      bindings.set(0, buffers_[i % 2]);
-      bindings.set(1, buffers_[(i + 1) % 2]);
+      const Buffer* const bindings[] = {&buffers_[i % 2], &buffers_[(i + 1) % 2]};
       recorder.dispatch(shiftAdd_, bindings, kCount, ShiftAddPush{kCount, i});
     }
   }
@@ -79,9 +77,7 @@ TEST_F(RecorderTest, MayBeUsedAgainAfterASubmission) {
 TEST_F(RecorderTest, OrdersFillsCopiesAndDispatches) {
   const Buffer copied(context(), "copied", kCount * sizeof(std::uint32_t));
   Recorder recorder(context());
-  BindingTable bindings;
-  bindings.set(0, buffers_[0]);
-  bindings.set(1, buffers_[1]);
+  const Buffer* const bindings[] = {&buffers_[0], &buffers_[1]};
   for (std::uint32_t round = 0; round < 50; ++round) {
     recorder.fill(buffers_[0], round);
     recorder.dispatch(shiftAdd_, bindings, kCount, ShiftAddPush{kCount, 100});
@@ -132,10 +128,8 @@ TEST_F(RecorderTest, GoesOnAfterARefusedDispatch) {
 
 TEST_F(RecorderTest, SumsTimesByLabelInOrderOfFirstUse) {
   if (context().limits().nanosecondsPerTick == 0) GTEST_SKIP() << "this device has no timestamps";
-  const Kernel other(context(), "other", test_kernels::spirv("shift_add"));
-  BindingTable bindings;
-  bindings.set(0, buffers_[0]);
-  bindings.set(1, buffers_[1]);
+  const Kernel other(context(), "other", test_kernels::code("shift_add"));
+  const Buffer* const bindings[] = {&buffers_[0], &buffers_[1]};
   Recorder recorder(context());
   for (int round = 0; round < 3; ++round) {
     recordChain(recorder, 4);
@@ -158,11 +152,10 @@ TEST_F(RecorderTest, SumsTimesByLabelInOrderOfFirstUse) {
 
 TEST_F(RecorderTest, LongerWorkTakesMoreTime) {
   if (context().limits().nanosecondsPerTick == 0) GTEST_SKIP() << "this device has no timestamps";
-  const Kernel shortWork(context(), "short", test_kernels::spirv("count_visits"));
-  const Kernel longWork(context(), "long", test_kernels::spirv("count_visits"));
+  const Kernel shortWork(context(), "short", test_kernels::code("count_visits"));
+  const Kernel longWork(context(), "long", test_kernels::code("count_visits"));
   const Buffer visits(context(), "visits", 8 << 20);
-  BindingTable bindings;
-  bindings.set(1, visits);
+  const Buffer* const bindings[] = {&visits};
   Recorder recorder(context());
   recorder.fill(visits, 0);
   recorder.dispatch(longWork, bindings, 2u << 20, (2u << 20) - 1);

@@ -13,7 +13,7 @@ class Validation : public test::GpuTest {};
 TEST_F(Validation, ReportsAFeatureThatWasNotEnabledAndForgetsItOnceTaken) {
   Context own({.validation = true});
   EXPECT_TRUE(own.takeValidationMessages().empty());
-  const Kernel kernel(own, "needs int64", test_kernels::spirv("needs_int64"));
+  const Kernel kernel(own, "needs int64", test_kernels::code("needs_int64"));
   kernel.compile();
   const auto messages = own.takeValidationMessages();
   ASSERT_FALSE(messages.empty());
@@ -23,7 +23,7 @@ TEST_F(Validation, ReportsAFeatureThatWasNotEnabledAndForgetsItOnceTaken) {
 
 TEST_F(Validation, SaysNothingWhenItIsOff) {
   Context own({.validation = false});
-  const Kernel kernel(own, "needs int64", test_kernels::spirv("needs_int64"));
+  const Kernel kernel(own, "needs int64", test_kernels::code("needs_int64"));
   kernel.compile();
   EXPECT_TRUE(own.takeValidationMessages().empty());
 }

@@ -24,8 +24,8 @@ struct Result {
   vec3 slopeX, slopeY;
 };
 
-layout(binding = 100, scalar) readonly buffer In { Item items[]; };
-layout(binding = 101, scalar) writeonly buffer Out { Result results[]; };
+layout(scalar) readonly buffer In { Item items[]; };
+layout(scalar) writeonly buffer Out { Result results[]; };
 layout(push_constant, scalar) uniform Push { uint count; };
 
 /// Barycentric weights and distance of the hit, which is kInfinity where there is none. [Möller and Trumbore 1997]
@@ -44,7 +44,7 @@ Moved follow(Item item, vec3 direction, inout PathDifferential d) {
   for (uint event = 0u; event <= item.events; ++event) {
     vec3 nearest = vec3(kInfinity);
     uint triangle = kNone;
-    for (uint k = 0u; k < uint(textureSize(triangleTexels)); ++k) {
+    for (uint k = 0u; k < uint(textureSize(trianglesTexels)); ++k) {
       const vec3 hit = meetTriangle(k, moved.position, direction);
       if (hit.z < nearest.z) {
         nearest = hit;

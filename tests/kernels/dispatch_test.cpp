@@ -17,10 +17,9 @@ class Dispatch : public test::GpuTest {
   /// invocations may lie past them.
   template <class Run>
   void expectOneVisitEach(std::uint32_t count, std::uint32_t padding, Run run) {
-    const gpu::Kernel kernel(context(), "count_visits", test_kernels::spirv("count_visits"));
+    const gpu::Kernel kernel(context(), "count_visits", test_kernels::code("count_visits"));
     const gpu::Buffer visits(context(), "visits", (count + 1ull) * sizeof(std::uint32_t));
-    gpu::BindingTable bindings;
-    bindings.set(1, visits);
+    const gpu::Buffer* const bindings[] = {&visits};
     gpu::Recorder recorder(context());
     recorder.fill(visits, 0);
     run(recorder, kernel, bindings);
@@ -33,7 +32,7 @@ class Dispatch : public test::GpuTest {
 
 TEST_F(Dispatch, GivesEachInvocationItsIndex) {
   const std::vector<std::uint32_t> offsets = {0, 1000, 2000, 3000};
-  const auto results = test::runKernel<std::uint32_t, std::uint32_t>(context(), test_kernels::spirv("dispatch"),
+  const auto results = test::runKernel<std::uint32_t, std::uint32_t>(context(), test_kernels::code("dispatch"),
                                                                      std::span<const std::uint32_t>(offsets), 1001);
   for (std::uint32_t i = 0; i < results.size(); ++i) ASSERT_EQ(results[i], i + offsets[i % 4]);
 }
@@ -48,10 +47,9 @@ TEST_F(Dispatch, FoldsIntoRowsPastTheLimitOfOneDimension) {
 }
 
 TEST_F(Dispatch, IndirectGroupsVisitEachIndexOnce) {
-  const gpu::Kernel argumentsKernel(context(), "arguments", test_kernels::spirv("indirect_arguments"));
+  const gpu::Kernel argumentsKernel(context(), "arguments", test_kernels::code("indirect_arguments"));
   const gpu::Buffer arguments(context(), "arguments", 4 * sizeof(std::uint32_t));
-  gpu::BindingTable argumentBindings;
-  argumentBindings.set(1, arguments);
+  const gpu::Buffer* const argumentBindings[] = {&arguments};
   struct Push {
     std::uint32_t count, workgroupSize;
   };
@@ -65,11 +63,10 @@ TEST_F(Dispatch, IndirectGroupsVisitEachIndexOnce) {
 }
 
 TEST_F(Dispatch, IndirectGroupsOfNothingAreNone) {
-  const gpu::Kernel argumentsKernel(context(), "arguments", test_kernels::spirv("indirect_arguments"));
+  const gpu::Kernel argumentsKernel(context(), "arguments", test_kernels::code("indirect_arguments"));
   const std::vector<std::uint32_t> old = {7, 7, 7, 7};
   const gpu::Buffer arguments = gpu::makeBuffer(context(), "arguments", std::span<const std::uint32_t>(old));
-  gpu::BindingTable bindings;
-  bindings.set(1, arguments);
+  const gpu::Buffer* const bindings[] = {&arguments};
   gpu::Recorder recorder(context());
   recorder.dispatch(argumentsKernel, bindings, 1, std::uint64_t{64} << 32);
   recorder.submitAndWait();

@@ -13,7 +13,7 @@ struct RadiusPoint {
 
 layout(binding = 0, scalar) readonly buffer In { RadiusPoint items[]; };
 layout(binding = 1, scalar) writeonly buffer Out { MapPoint points[]; };
-layout(scalar, binding = kBindingKeysOut) writeonly buffer KeysBlock { uint keys[]; };
+layout(scalar) writeonly buffer KeysBlock { uint keys[]; };
 layout(push_constant, scalar) uniform Push { uint count; uint slotMask; };
 
 void main() {

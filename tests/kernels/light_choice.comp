@@ -16,8 +16,8 @@ struct Answer {
   float rest;
 };
 
-layout(binding = 100, scalar) readonly buffer In { Query items[]; };
-layout(binding = 101, scalar) writeonly buffer Out { Answer results[]; };
+layout(scalar) readonly buffer In { Query items[]; };
+layout(scalar) writeonly buffer Out { Answer results[]; };
 layout(push_constant, scalar) uniform Push { uint count; };
 
 void main() {

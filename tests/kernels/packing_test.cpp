@@ -25,7 +25,7 @@ TEST_F(Packing, TheDeviceUnpacksLikeTheHost) {
     items.push_back(packNormal(direction));
     items.push_back(packTangent(direction, i % 3 == 0));
   }
-  const std::vector<float> results = test::runKernel<uint, float>(context(), test_kernels::spirv("packing"),
+  const std::vector<float> results = test::runKernel<uint, float>(context(), test_kernels::code("packing"),
                                                                   std::span<const uint>(items), items.size() * kFloats);
   for (std::size_t i = 0; i < items.size(); ++i) {
     const float* result = &results[i * kFloats];
@@ -41,7 +41,7 @@ TEST_F(Packing, ColoursOnTheDeviceAreThoseOfTheHost) {
   const uvec2 packed = packColor(color);
   const std::vector<uint> items = {packed.x, packed.y};
   const std::vector<float> results =
-      test::runKernel<uint, float>(context(), test_kernels::spirv("packing"), std::span<const uint>(items), kFloats);
+      test::runKernel<uint, float>(context(), test_kernels::code("packing"), std::span<const uint>(items), kFloats);
   for (int c = 0; c < 4; ++c) EXPECT_EQ(results[static_cast<std::size_t>(7 + c)], color[c]);
 }
 

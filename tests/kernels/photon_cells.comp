@@ -3,8 +3,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/photon_cells.glsl"
 
-layout(binding = 100, scalar) readonly buffer In { uvec2 items[]; };
-layout(binding = 101, scalar) writeonly buffer Out { uint results[]; };
+layout(scalar) readonly buffer In { uvec2 items[]; };
+layout(scalar) writeonly buffer Out { uint results[]; };
 layout(push_constant, scalar) uniform Push { uint count; };
 
 void main() {

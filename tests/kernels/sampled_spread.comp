@@ -16,8 +16,8 @@ struct Result {
   float pdf;
 };
 
-layout(binding = 100, scalar) readonly buffer In { Item items[]; };
-layout(binding = 101, scalar) writeonly buffer Out { Result results[]; };
+layout(scalar) readonly buffer In { Item items[]; };
+layout(scalar) writeonly buffer Out { Result results[]; };
 layout(push_constant, scalar) uniform Push { uint count; };
 
 void main() {

@@ -15,8 +15,8 @@ struct Step {
   vec3 slope;
 };
 
-layout(binding = 100, scalar) readonly buffer In { Step items[]; };
-layout(binding = 101, scalar) writeonly buffer Out { Spread results[]; };
+layout(scalar) readonly buffer In { Step items[]; };
+layout(scalar) writeonly buffer Out { Spread results[]; };
 layout(push_constant, scalar) uniform Push { uint count; };
 
 void main() {

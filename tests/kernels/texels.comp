@@ -4,13 +4,13 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "lib/dispatch.glsl"
 
-layout(set = 0, binding = 0) uniform usamplerBuffer uintTexels;
-layout(set = 0, binding = 2) uniform samplerBuffer floatTexels;
+layout(set = 0, binding = 0) uniform usamplerBuffer wholeTexels;
+layout(set = 0, binding = 2) uniform samplerBuffer realTexels;
 layout(set = 0, binding = 1, scalar) writeonly buffer Out { uvec4 asUint; vec4 asFloat; };
 layout(push_constant, scalar) uniform Push { uint index; };
 
 void main() {
   if (invocationIndex() != 0u) return;
-  asUint = texelFetch(uintTexels, int(index));
-  asFloat = texelFetch(floatTexels, int(index));
+  asUint = texelFetch(wholeTexels, int(index));
+  asFloat = texelFetch(realTexels, int(index));
 }

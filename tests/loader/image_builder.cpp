@@ -81,7 +81,7 @@ Bytes makePng(std::uint32_t width, std::uint32_t height, const Bytes& rgba) {
   return makePng({.width = width, .height = height}, rgba);
 }
 
-Bytes makeJpeg(unsigned width, unsigned height, const Bytes& rgb) {
+Bytes makeJpeg(unsigned width, unsigned height, const Bytes& samples, JpegKind kind) {
   jpeg_compress_struct jpeg{};
   jpeg_error_mgr error{};
   jpeg.err = jpeg_std_error(&error);
@@ -91,13 +91,18 @@ Bytes makeJpeg(unsigned width, unsigned height, const Bytes& rgb) {
   jpeg_mem_dest(&jpeg, &data, &size);
   jpeg.image_width = width;
   jpeg.image_height = height;
-  jpeg.input_components = 3;
-  jpeg.in_color_space = JCS_RGB;
+  const bool hasInks = kind == JpegKind::inks || kind == JpegKind::adobeInks;
+  jpeg.input_components = hasInks ? 4 : kind == JpegKind::grey ? 1 : 3;
+  jpeg.in_color_space = hasInks ? JCS_CMYK : kind == JpegKind::grey ? JCS_GRAYSCALE : JCS_RGB;
   jpeg_set_defaults(&jpeg);
+  if (kind == JpegKind::adobeInks) jpeg_set_colorspace(&jpeg, JCS_YCCK);
+  if (kind == JpegKind::inks) jpeg.write_Adobe_marker = FALSE;
+  if (kind == JpegKind::progressive) jpeg_simple_progression(&jpeg);
+  if (kind == JpegKind::arithmetic) jpeg.arith_code = TRUE;
   jpeg_set_quality(&jpeg, 100, TRUE);
   jpeg_start_compress(&jpeg, TRUE);
   for (std::size_t row = 0; row < height; ++row) {
-    JSAMPROW line = const_cast<JSAMPROW>(&rgb[row * width * 3]);
+    JSAMPROW line = const_cast<JSAMPROW>(&samples[row * width * static_cast<unsigned>(jpeg.input_components)]);
     jpeg_write_scanlines(&jpeg, &line, 1);
   }
   jpeg_finish_compress(&jpeg);

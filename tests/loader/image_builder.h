@@ -19,7 +19,10 @@ struct PngHeader {
 /// An RGBA8 image.
 [[nodiscard]] Bytes makePng(std::uint32_t width, std::uint32_t height, const Bytes& rgba);
 
-/// An RGB image as JPEG of quality 100.
-[[nodiscard]] Bytes makeJpeg(unsigned width, unsigned height, const Bytes& rgb);
+/// Inks: cyan, magenta, yellow and black; Adobe's files hold them turned round, as YCCK.
+enum class JpegKind { baseline, progressive, arithmetic, grey, inks, adobeInks };
+
+/// A JPEG of quality 100 from samples of RGB, grey or inks.
+[[nodiscard]] Bytes makeJpeg(unsigned width, unsigned height, const Bytes& samples, JpegKind kind = JpegKind::baseline);
 
 }  // namespace importon::test

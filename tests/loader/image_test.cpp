@@ -38,12 +38,33 @@ TEST(Image, GreyAndMissingAlphaAreFilledIn) {
   EXPECT_EQ(decoded(makePng({.colorType = 4}, {0x40, 0x80})), std::vector<uint>{0x80404040u});
 }
 
-TEST(Image, ReadsJpeg) {
-  const Bytes rgb(8 * 8 * 3, 200);
-  const std::vector<uint> texels = decoded(makeJpeg(8, 8, rgb));
+/// 8 x 8 pixels of the same samples.
+Bytes jpegOf(const Bytes& pixel, JpegKind kind) {
+  Bytes samples;
+  for (int i = 0; i < 64; ++i) samples.insert(samples.end(), pixel.begin(), pixel.end());
+  return makeJpeg(8, 8, samples, kind);
+}
+
+void expectColor(const Bytes& jpeg, double red, double green, double blue) {
+  const std::vector<uint> texels = decoded(jpeg);
   ASSERT_EQ(texels.size(), 64u);
-  EXPECT_NEAR(static_cast<double>(texels[27] & 0xFFu), 200, 3);
+  EXPECT_NEAR(static_cast<double>(texels[27] & 0xFFu), red, 3);
+  EXPECT_NEAR(static_cast<double>(texels[27] >> 8 & 0xFFu), green, 3);
+  EXPECT_NEAR(static_cast<double>(texels[27] >> 16 & 0xFFu), blue, 3);
   EXPECT_EQ(texels[27] >> 24, 0xFFu);
+}
+
+TEST(Image, ReadsAllKindsOfJpeg) {
+  for (const JpegKind kind : {JpegKind::baseline, JpegKind::progressive, JpegKind::arithmetic})
+    expectColor(jpegOf({200, 100, 50}, kind), 200, 100, 50);
+  expectColor(jpegOf({120}, JpegKind::grey), 120, 120, 120);
+}
+
+TEST(Image, MixesTheInksOfAJpeg) {
+  expectColor(jpegOf({55, 155, 205, 0}, JpegKind::inks), 200, 100, 50);
+  expectColor(jpegOf({55, 155, 205, 127}, JpegKind::inks), 100, 50, 25);
+  expectColor(jpegOf({200, 100, 50, 255}, JpegKind::adobeInks), 200, 100, 50);
+  expectColor(jpegOf({200, 100, 50, 128}, JpegKind::adobeInks), 100, 50, 25);
 }
 
 TEST(Image, RefusesOtherFormats) {

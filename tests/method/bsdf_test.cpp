@@ -104,7 +104,7 @@ class BsdfTest : public test::GpuTest {
 
   /// Compiled once for all tests.
   const gpu::Kernel& kernel() const {
-    if (!kernel_) kernel_.emplace(context(), "BSDF", test_kernels::spirv("bsdf"));
+    if (!kernel_) kernel_.emplace(context(), "BSDF", test_kernels::code("bsdf"));
     return *kernel_;
   }
 
@@ -112,10 +112,7 @@ class BsdfTest : public test::GpuTest {
     const gpu::Buffer input = gpu::makeBuffer(context(), "queries", std::span<const Query>(queries));
     const gpu::Buffer output(context(), "answers", queries.size() * sizeof(Answer));
     const gpu::Buffer albedo = gpu::makeBuffer(context(), "albedo", albedoTable(), gpu::TexelFormat::uint1);
-    gpu::BindingTable bindings;
-    bindings.set(0, input);
-    bindings.set(1, output);
-    bindings.set(2, albedo);
+    const gpu::Buffer* const bindings[] = {&input, &output, &albedo};
     gpu::Recorder recorder(context());
     recorder.dispatch(kernel(), bindings, queries.size(), static_cast<std::uint32_t>(queries.size()));
     recorder.submitAndWait();

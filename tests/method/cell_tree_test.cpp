@@ -7,9 +7,8 @@
 #include <cmath>
 #include <random>
 
-#include "kernels/registry.h"
-#include "shared/bindings.h"
-#include "shared/push_data.h"
+#include "kernels/cell_group.h"
+#include "kernels/cell_smooth.h"
 #include "shared/render_data.h"
 #include "support/gpu_test.h"
 #include "support/statistics.h"
@@ -94,36 +93,31 @@ class CellSmoothing : public test::GpuTest {
     }
     Parameters parameters{};
     parameters.photonUnits = 4 / std::sqrt(3.0f) / static_cast<float>(photons.strength);  // three channels
-    gpu::BindingTable table;
-    std::vector<gpu::Buffer> buffers;
-    const auto bind = [&](uint binding, auto span, TexelFormat format) {
-      buffers.push_back(gpu::makeBuffer(context(), "of a test", span, format));
-      table.set(binding, buffers.back());
+    const auto make = [&](auto span, TexelFormat format) {
+      return gpu::makeBuffer(context(), "of a test", span, format);
     };
-    buffers.reserve(16);
-    const gpu::Buffer settings = gpu::makeBuffer(context(), "parameters", std::span<const Parameters>(&parameters, 1));
-    const gpu::Buffer counters(context(), "counters", kCounterCount * sizeof(uint));
-    table.set(kBindingParameters, settings);
-    table.set(kBindingCounters, counters);
-    bind(kBindingIrradianceTexels, std::span<const uint>(sums), TexelFormat::uint4);
-    bind(kBindingCellGroups, std::span<const uvec4>(tree.groups), TexelFormat::uint4);
-    bind(kBindingCellMembers, std::span<const uint>(tree.members), TexelFormat::uint1);
-    bind(kBindingCellPlaces, std::span<const uvec2>(tree.cells), TexelFormat::uint2);
-    bind(kBindingGroupLight, std::span<const uvec4>(std::vector<uvec4>(4 * tree.groups.size())), TexelFormat::uint4);
-    table.set(kBindingGroupLightOut, buffers.back());
-    const gpu::Buffer out(context(), "irradiance", 2 * count * sizeof(vec4));
-    table.set(kBindingCellIrradianceOut, out);
-    const gpu::Kernel group(context(), "groups", kernels::spirv("cell_group"), {});
-    const gpu::Kernel finish(context(), "cells", kernels::spirv("cell_smooth"), {});
+    struct {
+      gpu::Buffer parameters, counters, cellSums, cellGroups, cellMembers, cellPlaces, groupLight, cellIrradiances;
+    } of{gpu::makeBuffer(context(), "parameters", std::span<const Parameters>(&parameters, 1)),
+         gpu::Buffer(context(), "counters", kCounterCount * sizeof(uint)),
+         make(std::span<const uint>(sums), TexelFormat::uint4),
+         make(std::span<const uvec4>(tree.groups), TexelFormat::uint4),
+         make(std::span<const uint>(tree.members), TexelFormat::uint1),
+         make(std::span<const uvec2>(tree.cells), TexelFormat::uint2),
+         make(std::span<const uvec4>(std::vector<uvec4>(4 * tree.groups.size())), TexelFormat::uint4),
+         gpu::Buffer(context(), "irradiance", 2 * count * sizeof(vec4))};
+    const gpu::Kernel group(context(), "groups", kernels::CellGroup::code);
+    const gpu::Kernel finish(context(), "cells", kernels::CellSmooth::code);
     gpu::Recorder recorder(context());
     for (std::size_t level = 0; level + 1 < tree.levels.size(); ++level) {
       const uint groups = tree.levels[level + 1] - tree.levels[level];
-      recorder.dispatch(group, table, 2 * groups, CellGroupPush{tree.levels[level], groups, count});
+      recorder.dispatch(group, kernels::CellGroup::buffers(of), 2 * groups,
+                        kernels::CellGroup::Push{tree.levels[level], groups, count});
     }
-    recorder.dispatch(finish, table, 2 * count, CellSmoothPush{count});
+    recorder.dispatch(finish, kernels::CellSmooth::buffers(of), 2 * count, kernels::CellSmooth::Push{count});
     recorder.submitAndWait();
     std::vector<double> irradiance;
-    for (const vec4& v : out.download<vec4>(2 * count))
+    for (const vec4& v : of.cellIrradiances.download<vec4>(2 * count))
       irradiance.push_back(static_cast<double>(v.x) * std::sqrt(3.0) / 4);
     std::vector<double> front;
     for (uint i = 0; i < count; ++i) {

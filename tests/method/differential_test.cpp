@@ -12,7 +12,9 @@
 #include "shared/render_data.h"
 #include "support/gpu_test.h"
 #include "support/scene_builder.h"
-#include "test_kernels/registry.h"
+#include "test_kernels/differential_chain.h"
+#include "test_kernels/sampled_spread.h"
+#include "test_kernels/spread.h"
 
 namespace importon {
 namespace {
@@ -20,20 +22,17 @@ namespace {
 using glm::dvec3;
 using test::SceneBuilder;
 
-/// Runs a test kernel that reads items from binding 100 and writes as many results to 101, with the scene bound.
-template <class Result, class Item>
-std::vector<Result> runOnScene(gpu::Context& context, const Scene& scene, const char* module,
-                               const std::vector<Item>& items) {
+/// Runs a test kernel that reads items and writes as many results, with the scene.
+template <class Call, class Result, class Item>
+std::vector<Result> runOnScene(gpu::Context& context, const Scene& scene, const std::vector<Item>& items) {
   const DeviceScene deviceScene = uploadScene(context, scene, buildBvh(scene.positions, scene.triangles));
-  const gpu::Kernel kernel(context, module, test_kernels::spirv(module));
+  const gpu::Kernel kernel(context, "kernel under test", Call::code);
   const gpu::Buffer input = gpu::makeBuffer(context, "items", std::span<const Item>(items));
   const gpu::Buffer output(context, "results", items.size() * sizeof(Result));
-  gpu::BindingTable table;
-  deviceScene.bind(table);
-  table.set(100, input);
-  table.set(101, output);
   gpu::Recorder recorder(context);
-  recorder.dispatch(kernel, table, items.size(), static_cast<uint>(items.size()));
+  recorder.dispatch(kernel,
+                    Call::buffers(deviceScene, test_kernels::buffers::In{input}, test_kernels::buffers::Out{output}),
+                    items.size(), static_cast<uint>(items.size()));
   recorder.submitAndWait();
   return output.download<Result>(items.size());
 }
@@ -121,7 +120,7 @@ class Differential : public test::GpuTest {
         steps.push_back({kind, static_cast<float>(e.t), static_cast<float>(eta), s, vec3(p.direction), vec3(normal),
                          curvature * s.position});
     }
-    const auto moved = runOnScene<Spread>(context(), scene_, "spread", steps);
+    const auto moved = runOnScene<test_kernels::Spread, Spread>(context(), scene_, steps);
     for (std::size_t i = 0; i < paths_.size(); ++i) {
       Path& p = paths_[i];
       p.x = moved[2 * i];
@@ -264,8 +263,8 @@ class DifferentialOnMeshes : public test::GpuTest {
   void expectFiniteDifferences(const Material& definition, uint events, uint reflections) const {
     const Scene scene = ballInABox(definition);
     int compared = 0;
-    for (const ChainResult& r :
-         runOnScene<ChainResult>(context(), scene, "differential_chain", chainItems(scene, events, reflections))) {
+    for (const ChainResult& r : runOnScene<test_kernels::DifferentialChain, ChainResult>(
+             context(), scene, chainItems(scene, events, reflections))) {
       const uint way = r.base.triangles;
       if (way == 0 || r.lowX.triangles != way || r.highX.triangles != way || r.lowY.triangles != way ||
           r.highY.triangles != way)
@@ -315,8 +314,8 @@ class SampledSpread : public test::GpuTest {};
 TEST_F(SampledSpread, CoversTheSolidAngleOfASample) {
   constexpr float kSamples = 64;
   for (const Material& definition : {test::diffuse(vec3(0.5f)), test::metal(vec3(0.9f), 0.6f)}) {
-    for (const SpreadResult& r :
-         runOnScene<SpreadResult>(context(), triangleOf(definition), "sampled_spread", spreadItems(kSamples))) {
+    for (const SpreadResult& r : runOnScene<test_kernels::SampledSpread, SpreadResult>(
+             context(), triangleOf(definition), spreadItems(kSamples))) {
       if (r.pdf <= 0 || std::max(glm::length(r.stepU), glm::length(r.stepV)) > 0.99f) continue;  // limited there
       const float across = std::abs(glm::dot(glm::cross(r.stepU, r.stepV), r.wi));
       ASSERT_NEAR(across * r.pdf * kSamples, 1.0f, 0.01f);
@@ -330,7 +329,7 @@ TEST_F(SampledSpread, OfLambertsLawIsTheDerivativeOfTheDiscsMap) {
   constexpr float kSamples = 16;
   const auto items = spreadItems(kSamples);
   const auto results =
-      runOnScene<SpreadResult>(context(), triangleOf(test::diffuse(vec3(0.5f))), "sampled_spread", items);
+      runOnScene<test_kernels::SampledSpread, SpreadResult>(context(), triangleOf(test::diffuse(vec3(0.5f))), items);
   int compared = 0;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const vec2 p = 2.0f * items[i].u - 1.0f;

@@ -8,7 +8,7 @@
 #include "support/gpu_test.h"
 #include "support/scene_builder.h"
 #include "support/statistics.h"
-#include "test_kernels/registry.h"
+#include "test_kernels/light_choice.h"
 
 namespace importon::test {
 namespace {
@@ -102,15 +102,14 @@ struct LightAnswer {
 
 std::vector<LightAnswer> chooseLights(gpu::Context& context, const MapRig& rig,
                                       const std::vector<LightQuery>& queries) {
-  const gpu::Kernel kernel(context, "light choice", test_kernels::spirv("light_choice"),
-                           specializations(rig.features()));
+  const gpu::Kernel kernel(context, "light choice", test_kernels::LightChoice::code, specializations(rig.features()));
   const gpu::Buffer input = gpu::makeBuffer(context, "queries", std::span<const LightQuery>(queries));
   const gpu::Buffer output(context, "answers", queries.size() * sizeof(LightAnswer));
-  gpu::BindingTable bindings = rig.bindings();
-  bindings.set(100, input);
-  bindings.set(101, output);
   gpu::Recorder recorder(context);
-  recorder.dispatch(kernel, bindings, queries.size(), static_cast<std::uint32_t>(queries.size()));
+  recorder.dispatch(
+      kernel,
+      rig.buffersOf<test_kernels::LightChoice>(test_kernels::buffers::In{input}, test_kernels::buffers::Out{output}),
+      queries.size(), static_cast<std::uint32_t>(queries.size()));
   recorder.submitAndWait();
   return output.download<LightAnswer>(queries.size());
 }

@@ -40,14 +40,10 @@ class Environments : public test::GpuTest {
     builder.environment(map);
     const Scene scene = builder.finish();
     const DeviceScene device = uploadScene(context(), scene, buildBvh(scene.positions, scene.triangles));
-    const gpu::Kernel kernel(context(), "environment", test_kernels::spirv("environment"), {});
+    const gpu::Kernel kernel(context(), "environment", test_kernels::code("environment"), {});
     const gpu::Buffer input = gpu::makeBuffer(context(), "queries", std::span<const Query>(queries));
     const gpu::Buffer output(context(), "answers", queries.size() * sizeof(Answer));
-    gpu::BindingTable bindings;
-    bindings.set(0, input);
-    bindings.set(1, output);
-    bindings.set(2, device.environment);
-    bindings.set(3, device.environmentAlias);
+    const gpu::Buffer* const bindings[] = {&input, &output, &device.environment, &device.environmentAliases};
     gpu::Recorder recorder(context());
     recorder.dispatch(kernel, bindings, queries.size(),
                       Push{static_cast<std::uint32_t>(queries.size()), uvec2(map.width, map.height)});

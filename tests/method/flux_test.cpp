@@ -53,7 +53,7 @@ class Flux : public test::GpuTest {
     GpuTest::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
     operands_ = randomOperands(100'000);
-    results_ = test::runKernel<Results>(context(), test_kernels::spirv("flux"), operands_);
+    results_ = test::runKernel<Results>(context(), test_kernels::code("flux"), operands_);
   }
   std::vector<Operands> operands_;
   std::vector<Results> results_;
@@ -102,7 +102,7 @@ TEST_F(Flux, PackingLosesNoMoreThanHalfAStepOfThirteenBits) {
 TEST_F(Flux, PackingScalesExactlyByPowersOfTwo) {
   std::vector<Operands> scaled = operands_;
   for (Operands& o : scaled) o.flux *= 0x1p17f;
-  const auto results = test::runKernel<Results>(context(), test_kernels::spirv("flux"), scaled);
+  const auto results = test::runKernel<Results>(context(), test_kernels::code("flux"), scaled);
   for (std::size_t i = 0; i < operands_.size(); ++i) ASSERT_EQ(results[i].unpacked, results_[i].unpacked * 0x1p17f);
 }
 

@@ -22,7 +22,7 @@ class Fresnel : public test::GpuTest {
  protected:
   Reflectances at(double cosine, double eta) const {
     const std::vector<Incidence> q{{static_cast<float>(cosine), static_cast<float>(eta)}};
-    return test::runKernel<Reflectances>(context(), test_kernels::spirv("fresnel"), q).front();
+    return test::runKernel<Reflectances>(context(), test_kernels::code("fresnel"), q).front();
   }
 };
 

@@ -26,7 +26,7 @@ struct Answer {
 class VisibleNormals : public test::GpuTest {
  protected:
   std::vector<Answer> ask(const std::vector<Query>& queries) const {
-    return test::runKernel<Answer>(context(), test_kernels::spirv("visible_normal"), queries);
+    return test::runKernel<Answer>(context(), test_kernels::code("visible_normal"), queries);
   }
 
   void expectDensity(const vec3& wo, float alpha) {

@@ -8,8 +8,9 @@
 #include <set>
 
 #include "method/list_stage.h"
-#include "shared/bindings.h"
 #include "support/stability.h"
+#include "test_kernels/grid_key.h"
+#include "test_kernels/grid_search.h"
 #include "test_kernels/registry.h"
 
 namespace importon {
@@ -20,13 +21,6 @@ struct RadiusPoint {
   vec3 position;
   float radius;
   vec3 normal;
-};
-
-struct KeyPush {
-  uint count, slotMask;
-};
-struct SearchPush {
-  uint count, kept;
 };
 
 /// What a search met: indices of points, at most kKept of them, and its number of ranges.
@@ -48,8 +42,6 @@ class Grid : public test::ListTest {
     parameters.gridOrigin = vec3(-0.5f * kExtent);
     parameters.gridExtent = kExtent;
     work().parameters.upload(std::span<const Parameters>(&parameters, 1));
-    key_ = gpu::Kernel(context(), "grid key", test_kernels::spirv("grid_key"));
-    search_ = gpu::Kernel(context(), "grid search", test_kernels::spirv("grid_search"));
   }
 
   /// A grid of `points`, with `slots` slots if not 0.
@@ -61,12 +53,10 @@ class Grid : public test::ListTest {
     }
     const gpu::Buffer input = gpu::makeBuffer(context(), "points", std::span<const RadiusPoint>(points));
     const gpu::Buffer mapPoints(context(), "map points", points.size() * sizeof(MapPoint), gpu::TexelFormat::uint4);
-    gpu::BindingTable table = work().table;
-    table.set(0, input);
-    table.set(1, mapPoints);
-    table.set(kBindingKeysOut, work().keysA);
     setEntries(points.size());
-    stage().recorder.dispatch(key_, table, points.size(), KeyPush{static_cast<uint>(points.size()), grid.slotMask});
+    run<test_kernels::GridKey>(stage(), points.size(), {static_cast<uint>(points.size()), grid.slotMask},
+                               test_kernels::buffers::In{input}, test_kernels::buffers::Out{mapPoints},
+                               test_kernels::buffers::Keys{work().keysA});
     buildGrid(stage(), grid, kCounterEntries, mapPoints);
     stage().recorder.submitAndWait();
     return grid;
@@ -75,11 +65,9 @@ class Grid : public test::ListTest {
   std::vector<Found> search(const PointGrid& grid, const std::vector<RadiusPoint>& searches) {
     const gpu::Buffer input = gpu::makeBuffer(context(), "searches", std::span<const RadiusPoint>(searches));
     const gpu::Buffer output(context(), "found", searches.size() * (kKept + 2) * sizeof(uint));
-    gpu::BindingTable table = work().table;
-    table.set(0, input);
-    table.set(1, output);
-    bindStored(table, grid);
-    stage().recorder.dispatch(search_, table, searches.size(), SearchPush{static_cast<uint>(searches.size()), kKept});
+    run<test_kernels::GridSearch>(stage(), searches.size(), {static_cast<uint>(searches.size()), kKept},
+                                  test_kernels::buffers::In{input}, test_kernels::buffers::Out{output},
+                                  SearchedGrid(grid));
     stage().recorder.submitAndWait();
     const std::vector<uint> raw = test::numbers(output, searches.size() * (kKept + 2));
     std::vector<Found> all;
@@ -126,8 +114,6 @@ class Grid : public test::ListTest {
       }
     }
   }
-
-  gpu::Kernel key_, search_;
 };
 
 vec3 randomDirection(std::mt19937& random) {
@@ -236,7 +222,7 @@ TEST_F(SearchRadius, StaysWithinWhatTheGridSearchesForAnyDensity) {
   std::vector<Wish> wishes;
   for (const float density : {0.0f, 1e-38f, 1e-30f, 1e-6f, 1.0f, 1e6f, 1e15f, 1e30f, 3e38f, kInf})
     for (const float extent : {1e-6f, 1.0f, 4096.0f, 1e9f}) wishes.push_back({32, density, extent});
-  const auto radii = test::runKernel<Radius>(context(), test_kernels::spirv("search_radius"), wishes);
+  const auto radii = test::runKernel<Radius>(context(), test_kernels::code("search_radius"), wishes);
   for (std::size_t i = 0; i < wishes.size(); ++i) {
     const auto& [photons, density, extent] = wishes[i];
     EXPECT_GE(radii[i].radius, extent * 0x1p-21f * 0.999f) << density;
@@ -252,7 +238,7 @@ TEST_F(SearchRadius, StaysWithinWhatTheGridSearchesForAnyDensity) {
 
 TEST_F(SearchRadius, HoldsThePhotonsAtTheDensity) {
   const std::vector<Wish> wishes{{32, 1000, 1}, {8, 1000, 1}, {8, 1e5f, 16}};
-  const auto radii = test::runKernel<Radius>(context(), test_kernels::spirv("search_radius"), wishes);
+  const auto radii = test::runKernel<Radius>(context(), test_kernels::code("search_radius"), wishes);
   for (std::size_t i = 0; i < wishes.size(); ++i) {
     const double held =
         M_PI * std::pow(static_cast<double>(radii[i].radius), 2) * static_cast<double>(wishes[i].density);

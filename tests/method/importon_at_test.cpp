@@ -32,7 +32,7 @@ class ImportonAt : public test::GpuTest {
       items[i].position = queries[i].first;
       items[i].normal = queries[i].second;
     }
-    return test::runKernel<Answer>(context(), test_kernels::spirv("importon_at"), items);
+    return test::runKernel<Answer>(context(), test_kernels::code("importon_at"), items);
   }
 };
 

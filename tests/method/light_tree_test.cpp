@@ -50,16 +50,13 @@ std::vector<LightBounds> someLights(std::size_t count) {
 class LightTree : public test::GpuTest {
  protected:
   std::vector<Answer> ask(const std::vector<LightBounds>& lights, const std::vector<Query>& queries) const {
-    const gpu::Kernel kernel(context(), "light tree", test_kernels::spirv("light_tree"), {});
+    const gpu::Kernel kernel(context(), "light tree", test_kernels::code("light_tree"), {});
     const std::vector<uvec4> texels = buildLightTree(lights);
     const gpu::Buffer input = gpu::makeBuffer(context(), "queries", std::span<const Query>(queries));
     const gpu::Buffer output(context(), "answers", queries.size() * sizeof(Answer));
     const gpu::Buffer tree =
         gpu::makeBuffer(context(), "tree", std::span<const uvec4>(texels), gpu::TexelFormat::uint4);
-    gpu::BindingTable bindings;
-    bindings.set(0, input);
-    bindings.set(1, output);
-    bindings.set(2, tree);
+    const gpu::Buffer* const bindings[] = {&input, &output, &tree};
     gpu::Recorder recorder(context());
     recorder.dispatch(kernel, bindings, queries.size(),
                       Push{static_cast<std::uint32_t>(queries.size()), static_cast<std::uint32_t>(lights.size())});

@@ -26,7 +26,8 @@ class ListTest : public GpuTest {
   [[nodiscard]] uint counter(uint which) const;
 
  private:
-  KernelSet kernels_;
+  std::optional<KernelSet> kernels_;
+  DeviceScene scene_;  // of nothing
   std::optional<Workspace> work_;
   std::optional<gpu::Recorder> recorder_;
   std::optional<Stage> stage_;

@@ -6,8 +6,6 @@
 #include <random>
 
 #include "method/list_stage.h"
-#include "shared/bindings.h"
-#include "shared/push_data.h"
 
 namespace importon {
 namespace {
@@ -100,8 +98,7 @@ TEST_F(Lists, ScanIsTheExclusivePrefixSumAndTellsTheTotal) {
       std::generate(sums.begin(), sums.end(), [&] { return random() % 1000; });
       if (!sums.empty()) work().blockSums.upload(std::span<const uint>(sums));
       setEntries(entries);
-      stage().recorder.dispatch(stage().kernels.scan, work().table, kScanThreads,
-                                ScanPush{kCounterEntries, perTile, kCounterTotal, kNone});
+      run<kernels::OneScan>(stage(), kScanThreads, {kCounterEntries, perTile, kCounterTotal, kNone});
       stage().recorder.submitAndWait();
       std::vector<uint> expected(sums.size());
       std::exclusive_scan(sums.begin(), sums.end(), expected.begin(), 0u);

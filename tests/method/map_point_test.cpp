@@ -57,7 +57,7 @@ class MapPointPacking : public test::GpuTest {
     GpuTest::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
     plain_ = directions();
-    unpacked_ = test::runKernel<Unpacked>(context(), test_kernels::spirv("map_point"), plain_);
+    unpacked_ = test::runKernel<Unpacked>(context(), test_kernels::code("map_point"), plain_);
   }
   std::vector<Plain> plain_;
   std::vector<Unpacked> unpacked_;

@@ -6,8 +6,6 @@
 #include "render/camera/eye_pass.h"
 #include "render/lists/lists.h"
 #include "render/surface_cache/irradiance_map.h"
-#include "shared/bindings.h"
-#include "shared/push_data.h"
 #include "shared/ray_data.h"
 
 namespace importon::test {
@@ -15,14 +13,13 @@ namespace importon::test {
 MapRig::MapRig(gpu::Context& context, const Scene& scene, const RenderJob& job)
     : features_(findFeatures(scene, job)), context_(context) {
   const glm::ivec2 size = chooseSize(chooseCamera(scene, job), job);
-  kernels_ = makeKernels(context, features_, job);
+  kernels_.emplace(context, constantsOf(features_, job, context.limits().isCpu), features_.hasAlpha);
   deviceScene_ = uploadScene(context, scene, buildBvh(scene.positions, scene.triangles));
   plan = planPasses(job, features_, size, context.limits());
   parameters = makeParameters(job, scene, plan, size);
   work_.emplace(context, plan.workspace);
-  deviceScene_.bind(work_->table);
   recorder_.emplace(context);
-  stage_.emplace(Stage{context, *recorder_, kernels_, *work_});
+  stage_.emplace(Stage{context, *recorder_, *kernels_, *work_, deviceScene_});
   const auto makeMap = [&](MapKind kind) {
     return makeImportanceMap(context, kind, plan.importons * (std::uint64_t{parameters.maxDepth} + 1),
                              plan.workspace.hasDifferentials);
@@ -67,14 +64,15 @@ EmissionGuide MapRig::trainedGuide(const Scene& scene, MapKind kind, int bins) {
 }
 
 std::vector<EmittedPhoton> MapRig::emit(MapKind kind, const EmissionGuide* guide) {
-  gpu::BindingTable table = work_->table;
-  if (guide) guide->bind(table);
-  table.set(kBindingQueue, work_->queueA);
   const uint plain = traitsOf(kind).randomStream;
+  const buffers::Queue queue{work_->queueA};
+  const kernels::PhotonEmit::Push push{0, plan.batch, guide ? guide->stream() : plain, guide ? guide->bins() : 0,
+                                       kind == MapKind::global};
   work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
-  recorder_->dispatch(guide ? kernels_.photonEmitGuided : kernels_.photonEmit, table, plan.batch,
-                      PhotonEmitPush{0, plan.batch, guide ? guide->stream() : plain, guide ? guide->bins() : 0,
-                                     kind == MapKind::global});
+  if (guide != nullptr)
+    run<kernels::PhotonEmitGuided>(*stage_, plan.batch, push, queue, guide->buffers());
+  else
+    run<kernels::PhotonEmitByPower>(*stage_, plan.batch, push, queue);
   recorder_->submitAndWait();
   const auto rays = work_->rays.download<Ray>(plan.batch);
   const auto paths = work_->paths.download<PathState>(plan.batch);
@@ -127,7 +125,7 @@ CellFlux MapRig::shootIntoCells(const SurfaceCells& cells) {
   parameters.irradianceUnits = parameters.fluxScale;
   parameters.photonUnits = 1 / (parameters.totalPower * parameters.irradianceUnits);
   IrradianceMap map(context_, cells, parameters.irradianceUnits, 0);
-  map.bind(work_->table, 0);
+  work_->cells = map.cells(0);
   work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
   recorder_->fill(work_->counters, 0);
   for (std::uint32_t first = 0; first < plan.whole.photons; first += plan.batch) {
@@ -147,9 +145,7 @@ std::vector<MapPoint> MapRig::photons(const PhotonMap& map) const { return map.r
 
 std::vector<MapPoint> MapRig::photonsAsStored(const PhotonMap& map) const {
   const std::vector<MapPoint> inCells = photons(map);
-  gpu::BindingTable table;
-  map.bindFinished(table);
-  const auto order = table.get(kBindingStoredOrder)->download<uint>(inCells.size());
+  const auto order = map.finished().storedOrder.download<uint>(inCells.size());
   std::vector<MapPoint> stored(inCells.size());
   for (std::size_t i = 0; i < order.size(); ++i) stored[order[i]] = inCells[i];
   return stored;
@@ -167,10 +163,8 @@ vec3 unpackFlux(uvec2 p) {
 }  // namespace
 
 std::vector<vec3> MapRig::flux(const PhotonMap& map) const {
-  gpu::BindingTable table;
-  map.bindFinished(table);
   std::vector<vec3> flux;
-  for (const uvec2 packed : table.get(kBindingMapFlux)->download<uvec2>(counts(map).stored))
+  for (const uvec2 packed : map.finished().mapFlux.download<uvec2>(counts(map).stored))
     flux.push_back(unpackFlux(packed));
   return flux;
 }

@@ -63,8 +63,11 @@ class MapRig {
   void shootInto(PhotonMap& map, MapKind kind, const StorageRule& rule);
   /// Precomputes irradiance of a finished map, at its photons or at the importons.
   void estimateIrradiance(PhotonMap& map, MapKind kind, bool atPhotons);
-  /// For kernels of tests: what the renderer's kernels are bound to, and made for.
-  [[nodiscard]] const gpu::BindingTable& bindings() const { return work_->table; }
+  /// For kernels of tests: the buffers that the renderer's kernels get, and what those are made for.
+  template <class Call, class... Owners>
+  [[nodiscard]] auto buffersOf(const Owners&... owners) const {
+    return importon::buffersOf<Call>(*stage_, owners...);
+  }
   [[nodiscard]] const FeatureSet& features() const { return features_; }
   /// A guide that a batch of photons has taught. Importance must have been found.
   [[nodiscard]] EmissionGuide trainedGuide(const Scene& scene, MapKind kind, int bins);
@@ -87,7 +90,7 @@ class MapRig {
  private:
   FeatureSet features_;
   gpu::Context& context_;
-  KernelSet kernels_;
+  std::optional<KernelSet> kernels_;
   DeviceScene deviceScene_;
   std::optional<Workspace> work_;
   std::optional<gpu::Recorder> recorder_;

@@ -5,11 +5,10 @@
 #include <map>
 #include <set>
 
-#include "shared/bindings.h"
 #include "shared/render_data.h"
 #include "shared/scene_data.h"
 #include "support/gpu_test.h"
-#include "test_kernels/registry.h"
+#include "test_kernels/photon_cells.h"
 
 namespace importon {
 namespace {
@@ -18,17 +17,17 @@ class PhotonCells : public test::GpuTest {
  protected:
   /// Slots that cells of these keys get in a table of `slots`, all at once.
   std::vector<uint> find(const std::vector<uvec2>& keys, std::size_t slots) {
-    const gpu::Kernel kernel(context(), "photon cells", test_kernels::spirv("photon_cells"), {});
+    const gpu::Kernel kernel(context(), "photon cells", test_kernels::PhotonCells::code);
     const std::vector<PhotonCell> empty(slots, PhotonCell{kNone, kNone, kNone});
     const gpu::Buffer table = gpu::makeBuffer(context(), "table", std::span<const PhotonCell>(empty));
     const gpu::Buffer input = gpu::makeBuffer(context(), "keys", std::span<const uvec2>(keys));
     const gpu::Buffer output(context(), "slots", keys.size() * sizeof(uint));
-    gpu::BindingTable bindings;
-    bindings.set(kBindingPhotonCells, table);
-    bindings.set(100, input);
-    bindings.set(101, output);
     gpu::Recorder recorder(context());
-    recorder.dispatch(kernel, bindings, keys.size(), static_cast<std::uint32_t>(keys.size()));
+    namespace buffers = test_kernels::buffers;
+    recorder.dispatch(
+        kernel,
+        test_kernels::PhotonCells::buffers(buffers::PhotonCells{table}, buffers::In{input}, buffers::Out{output}),
+        keys.size(), static_cast<std::uint32_t>(keys.size()));
     recorder.submitAndWait();
     return output.download<uint>(keys.size());
   }

@@ -41,7 +41,7 @@ class PixelFilters : public test::GpuTest {
     std::vector<Query> queries(kSamples);
     for (Query& q : queries) q = {vec2(unit(random), unit(random)), kind};
     std::vector<double> counts(kSide * kSide), expected(kSide * kSide);
-    for (const vec2& p : test::runKernel<vec2>(context(), test_kernels::spirv("pixel_filter"), queries)) {
+    for (const vec2& p : test::runKernel<vec2>(context(), test_kernels::code("pixel_filter"), queries)) {
       const glm::dvec2 cell = (glm::dvec2(p) - 0.5 + kRadius) / (2 * kRadius) * static_cast<double>(kSide);
       ASSERT_TRUE(cell.x > -1e-4 && cell.x < kSide + 1e-4 && cell.y > -1e-4 && cell.y < kSide + 1e-4);
       const auto index = [](double c) { return std::clamp(static_cast<int>(c), 0, kSide - 1); };

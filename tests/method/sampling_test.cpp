@@ -39,7 +39,7 @@ class Warps : public test::GpuTest {
                          cosMax,
                          {std::min(unit(random), 0.99999994f), std::min(unit(random), 0.99999994f)},
                          glm::normalize(vec3(normal(random), normal(random), normal(random)))});
-    return test::runKernel<Warped>(context(), test_kernels::spirv("warps"), samples);
+    return test::runKernel<Warped>(context(), test_kernels::code("warps"), samples);
   }
 
   /// That the points, taken back to the unit square by `unwarp`, are uniform there.
@@ -69,7 +69,7 @@ TEST_F(Warps, HeuristicIsTheShareOfTheSquaredDensity) {
   for (const vec2& u : {vec2(1, 1), vec2(3, 1), vec2(1, 3), vec2(1e30f, 1), vec2(1, 1e30f), vec2(2, 0)})
     densities.push_back({kHeuristic, 0, u, vec3(0, 0, 1)});
   const float expected[] = {0.5f, 0.9f, 0.1f, 1, 0, 1};
-  const auto weights = test::runKernel<Warped>(context(), test_kernels::spirv("warps"), densities);
+  const auto weights = test::runKernel<Warped>(context(), test_kernels::code("warps"), densities);
   for (std::size_t i = 0; i < densities.size(); ++i) EXPECT_NEAR(weights[i].point.x, expected[i], 1e-6f) << i;
 }
 
@@ -112,7 +112,7 @@ TEST_F(Warps, FramesAreRightHandedAndOrthonormal) {
   for (const vec3& axis :
        {vec3(0, 0, 1), vec3(0, 0, -1), vec3(1, 0, 0), vec3(0, -1, 0), glm::normalize(vec3(1e-4f, 0, -1))})
     samples.push_back({kDisc, 0, vec2(0.5f), axis});
-  auto frames = test::runKernel<Warped>(context(), test_kernels::spirv("warps"), samples);
+  auto frames = test::runKernel<Warped>(context(), test_kernels::code("warps"), samples);
   for (std::size_t i = 0; i < frames.size(); ++i) EXPECT_EQ(frames[i].frame[2], samples[i].axis);
   for (const Warped& w : warped(kDisc)) frames.push_back(w);
   for (const Warped& w : frames) {

@@ -45,16 +45,12 @@ class ScatterGuideTest : public test::GpuTest {
     std::vector<Query> queries(kSamples);
     for (Query& q : queries) q = {share, unit(random), {unit(random), unit(random)}};
 
-    const gpu::Kernel kernel(context(), "scatter guide", test_kernels::spirv("scatter_guide"), {});
+    const gpu::Kernel kernel(context(), "scatter guide", test_kernels::code("scatter_guide"), {});
     const gpu::Buffer input = gpu::makeBuffer(context(), "queries", std::span<const Query>(queries));
     const gpu::Buffer output(context(), "answers", kSamples * sizeof(Answer));
     const gpu::Buffer albedo = gpu::makeBuffer(context(), "albedo", albedoTable(), gpu::TexelFormat::uint1);
     const gpu::Buffer bins = gpu::makeBuffer(context(), "guide", std::span<const float>(guide));
-    gpu::BindingTable bindings;
-    bindings.set(0, input);
-    bindings.set(1, output);
-    bindings.set(2, albedo);
-    bindings.set(3, bins);
+    const gpu::Buffer* const bindings[] = {&input, &output, &albedo, &bins};
     gpu::Recorder recorder(context());
     recorder.dispatch(kernel, bindings, kSamples, static_cast<std::uint32_t>(kSamples));
     recorder.submitAndWait();

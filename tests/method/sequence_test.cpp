@@ -23,7 +23,7 @@ struct Key {
 class Sequence : public test::GpuTest {
  protected:
   [[nodiscard]] std::vector<vec2> points(const std::vector<Key>& keys) const {
-    return test::runKernel<vec2>(context(), test_kernels::spirv("sequence"), keys);
+    return test::runKernel<vec2>(context(), test_kernels::code("sequence"), keys);
   }
 };
 

@@ -36,7 +36,7 @@ TEST_F(SurfaceCellsTest, OfATriangleAreAllAlikeLarge) {
       if (q.uv.x + q.uv.y > 1) q.uv = 1.0f - q.uv;
     }
     std::vector<double> counts(n * n), expected(n * n, static_cast<double>(kSamples) / (n * n));
-    for (const uint cell : test::runKernel<uint>(context(), test_kernels::spirv("surface_cell"), queries)) {
+    for (const uint cell : test::runKernel<uint>(context(), test_kernels::code("surface_cell"), queries)) {
       ASSERT_LT(cell, n * n);
       ++counts[cell];
     }
@@ -52,7 +52,7 @@ TEST_F(SurfaceCellsTest, StayInTheTriangleAtItsCornersAndEdges) {
     for (const vec2 uv : {vec2(0, 0), vec2(1, 0), vec2(0, 1), vec2(0.5f, 0.5f), vec2(1.000001f, 0),
                           vec2(0.3f, 0.7000001f), vec2(-1e-7f, 0.5f), vec2(NAN, 0)})
       queries.push_back({uv, n});
-  const auto cells = test::runKernel<uint>(context(), test_kernels::spirv("surface_cell"), queries);
+  const auto cells = test::runKernel<uint>(context(), test_kernels::code("surface_cell"), queries);
   for (std::size_t i = 0; i < cells.size(); ++i) EXPECT_LT(cells[i], queries[i].n * queries[i].n) << i;
 }
 

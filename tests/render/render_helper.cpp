@@ -42,7 +42,8 @@ std::string describe(const Moments& m) {
 class DeviceCache {
  public:
   [[nodiscard]] std::shared_ptr<LoadedDevice> find(const FeatureSet& features, const RenderJob& job) {
-    const std::string key = fmt::format("{} {} {}", job.validation, describeKernels(features, job), job.device);
+    std::string key = fmt::format("{} {} {}", job.validation, features.hasAlpha, job.device);
+    for (const auto& [id, value] : constantsOf(features, job, false)) key += fmt::format(" {}={}", id, value);
     if (const auto found = devices_.find(key); found != devices_.end()) return found->second;
     if (devices_.size() >= kMost) devices_.clear();
     return devices_[key] = loadDevice(features, job);

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "render/features/features.h"
+#include "render/features/feature_set.h"
 #include "render/plan/pass_plan.h"
 #include "render_helper.h"
 

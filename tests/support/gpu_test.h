@@ -29,18 +29,17 @@ class GpuTest : public ::testing::Test {
 /// The shared context; null if there is no device. For tests that cannot derive from GpuTest.
 [[nodiscard]] gpu::Context* sharedContext();
 
-/// Runs a test kernel: it reads items from binding 0, writes `outCount` items to binding 1, and has one push
-/// constant, uint count = outCount, with which it compares invocationIndex().
+/// Runs a test kernel: it reads items from its buffer `in`, writes `outCount` items to its buffer `out`, and has one
+/// push constant, uint count = outCount, with which it compares invocationIndex().
 template <class In, class Out>
-[[nodiscard]] std::vector<Out> runKernel(gpu::Context& context, std::span<const std::uint32_t> spirv,
-                                         std::span<const In> in, std::size_t outCount,
+[[nodiscard]] std::vector<Out> runKernel(gpu::Context& context, const gpu::KernelCode& code, std::span<const In> in,
+                                         std::size_t outCount,
                                          std::span<const gpu::Specialization> specialization = {}) {
-  const gpu::Kernel kernel(context, "kernel under test", spirv, specialization);
+  const gpu::Kernel kernel(context, "kernel under test", code, specialization);
   const gpu::Buffer input = gpu::makeBuffer(context, "test input", in);
   const gpu::Buffer output(context, "test output", outCount * sizeof(Out));
-  gpu::BindingTable bindings;
-  bindings.set(0, input);
-  bindings.set(1, output);
+  std::vector<const gpu::Buffer*> bindings;
+  for (const gpu::KernelBuffer& buffer : code.buffers) bindings.push_back(buffer.name == "in" ? &input : &output);
   gpu::Recorder recorder(context);
   recorder.dispatch(kernel, bindings, outCount, static_cast<std::uint32_t>(outCount));
   recorder.submitAndWait();
@@ -49,10 +48,9 @@ template <class In, class Out>
 
 /// The same with a vector as input and as many items out as in.
 template <class Out, class In>
-[[nodiscard]] std::vector<Out> runKernel(gpu::Context& context, std::span<const std::uint32_t> spirv,
-                                         const std::vector<In>& in,
+[[nodiscard]] std::vector<Out> runKernel(gpu::Context& context, const gpu::KernelCode& code, const std::vector<In>& in,
                                          std::span<const gpu::Specialization> specialization = {}) {
-  return runKernel<In, Out>(context, spirv, std::span<const In>(in), in.size(), specialization);
+  return runKernel<In, Out>(context, code, std::span<const In>(in), in.size(), specialization);
 }
 
 }  // namespace importon::test

@@ -3,8 +3,11 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/film.glsl"
 
-layout(scalar, binding = kBindingAov) writeonly buffer AovBlock { float aov[]; };
-layout(push_constant, scalar) uniform PushBlock { AovLightPush push; };
+layout(scalar) writeonly buffer AovBlock { float aov[]; };
+layout(push_constant, scalar) uniform Push {
+  uint count;     // pixels of the tile
+  uint isGlobal;
+} push;
 
 void main() {
   const uint slot = invocationIndex();

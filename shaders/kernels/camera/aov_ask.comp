@@ -5,8 +5,11 @@
 #include "bindings/paths.glsl"
 #include "bindings/film.glsl"
 
-layout(scalar, binding = kBindingEyeVertices) writeonly buffer EyeVerticesBlock { EyeVertex eyeVertices[]; };
-layout(push_constant, scalar) uniform PushBlock { AovLightPush push; };
+layout(scalar) writeonly buffer EyeVerticesBlock { EyeVertex eyeVertices[]; };
+layout(push_constant, scalar) uniform Push {
+  uint count;     // pixels of the tile
+  uint isGlobal;
+} push;
 
 void main() {
   const uint slot = invocationIndex();

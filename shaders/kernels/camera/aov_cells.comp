@@ -7,10 +7,12 @@
 #include "bindings/importance.glsl"
 #include "bindings/irradiance.glsl"
 
-layout(binding = kBindingIrradianceTexels) uniform usamplerBuffer cellSums;
-layout(binding = kBindingCellPlaces) uniform usamplerBuffer cellPlaces;
-layout(scalar, binding = kBindingAov) writeonly buffer AovBlock { float aov[]; };
-layout(push_constant, scalar) uniform PushBlock { AovCellsPush push; };
+uniform usamplerBuffer cellSums;
+uniform usamplerBuffer cellPlaces;
+layout(scalar) writeonly buffer AovBlock { float aov[]; };
+layout(push_constant, scalar) uniform Push {
+  uint count;
+} push;
 
 void main() {
   const uint slot = invocationIndex();

@@ -6,8 +6,12 @@
 #include "bindings/importance.glsl"
 #include "bindings/stored.glsl"
 
-layout(scalar, binding = kBindingAov) writeonly buffer AovBlock { float aov[]; };
-layout(push_constant, scalar) uniform PushBlock { AovMapPush push; };
+layout(scalar) writeonly buffer AovBlock { float aov[]; };
+layout(push_constant, scalar) uniform Push {
+  uint count;
+  uint isGlobal;
+  uint levels;  // counter with the map's grid levels
+} push;
 
 /// Photons per m² within the lookup radius.
 float storedDensity(vec3 position, vec3 normal, float radius) {

@@ -5,8 +5,10 @@
 #include "bindings/paths.glsl"
 #include "lib/bsdf.glsl"
 
-layout(scalar, binding = kBindingAov) writeonly buffer AovBlock { float aov[]; };
-layout(push_constant, scalar) uniform PushBlock { AovSurfacePush push; };
+layout(scalar) writeonly buffer AovBlock { float aov[]; };
+layout(push_constant, scalar) uniform Push {
+  uint count;  // pixels of the tile
+} push;
 
 void writeColor(uint at, vec3 color) {
   for (uint c = 0u; c < 3u; ++c) aov[at + c] = color[c];

@@ -10,7 +10,15 @@
 
 layout(constant_id = kSpecPixelFilter) const uint kPixelFilter = kFilterBox;
 
-layout(push_constant, scalar) uniform PushBlock { EyeEmitPush push; };
+layout(push_constant, scalar) uniform Push {
+  uint first;     // pixel or importon
+  uint count;
+  uint pixels;    // of the tile, or importons
+  uint firstSample;  // of each pixel's paths in this pass, or of the plan's paths
+  uint total;     // importons in all
+  uint isCentred; // 1: through the middle of the pixel
+  uint isPlanned; // 1: pixels have as many paths as the sample plan says
+} push;
 
 void main() {
   const uint slot = invocationIndex();

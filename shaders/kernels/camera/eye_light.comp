@@ -4,9 +4,11 @@
 #include "bindings/paths.glsl"
 #include "bindings/film.glsl"
 
-layout(scalar, binding = kBindingShadowRays) readonly buffer ShadowRaysBlock { Ray shadowRays[]; };
-layout(scalar, binding = kBindingShadowLight) readonly buffer ShadowLightBlock { vec3 shadowLight[]; };
-layout(push_constant, scalar) uniform PushBlock { EyeLightPush push; };
+layout(scalar) readonly buffer ShadowRaysBlock { Ray shadowRays[]; };
+layout(scalar) readonly buffer ShadowLightBlock { vec3 shadowLight[]; };
+layout(push_constant, scalar) uniform Push {
+  uint source;
+} push;
 
 void main() {
   const uint i = invocationIndex();

@@ -11,7 +11,10 @@
 #include "bindings/importance.glsl"
 #include "bindings/eye.glsl"
 
-layout(push_constant, scalar) uniform PushBlock { EyeScatterPush push; };
+layout(push_constant, scalar) uniform Push {
+  uint source;
+  uint knowsImportance;
+} push;
 
 void main() {
   const uint i = invocationIndex();

@@ -5,8 +5,15 @@
 #include "lib/long_sum.glsl"
 #include "lib/sampling.glsl"
 
-layout(scalar, binding = kBindingFilm) buffer FilmBlock { FilmPixel film[]; };
-layout(push_constant, scalar) uniform PushBlock { FilmAddPush push; };
+layout(scalar) buffer FilmBlock { FilmPixel film[]; };
+layout(push_constant, scalar) uniform Push {
+  uint count;      // pixels of the tile
+  uint samples;    // paths of each that are done
+  uint offset;     // first film pixel of the half
+  uint first;      // of each pixel's paths in this pass, or of the plan's paths, before these
+  uint isPlanned;  // 1: pixels have as many paths as the sample plan says
+  uint paths;      // done in all
+} push;
 
 FilmPixel pixel;
 uint random;

@@ -7,8 +7,15 @@
 #include "bindings/selection.glsl"
 #include "lib/photon_stream.glsl"
 
-layout(scalar, binding = kBindingGuideSums) buffer SumsBlock { uint sums[]; };
-layout(push_constant, scalar) uniform PushBlock { GuideLearnPush push; };
+layout(scalar) buffer GuideSumsBlock { uint sums[]; };
+layout(push_constant, scalar) uniform Push {
+  uint isGlobal;
+  uint stream;
+  uint bins;
+  float meanImportance;  // pixels/m²
+  float hitsPerPass;     // for each hit that was counted at a site; 0: deficits do not matter
+  uint isPotential;      // places count in proportion to their importance
+} push;
 
 void main() {
   const uint i = invocationIndex();

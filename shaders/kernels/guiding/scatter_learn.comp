@@ -5,8 +5,10 @@
 #include "lib/map_point.glsl"
 #include "lib/scatter_grid.glsl"
 
-layout(scalar, binding = kBindingScatterSums) buffer SumsBlock { uint sums[]; };
-layout(push_constant, scalar) uniform PushBlock { ScatterLearnPush push; };
+layout(scalar) buffer ScatterSumsBlock { uint sums[]; };
+layout(push_constant, scalar) uniform Push {
+  ScatterGrid guide;
+} push;
 
 void main() {
   const uint i = invocationIndex();

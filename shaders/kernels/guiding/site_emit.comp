@@ -7,7 +7,14 @@
 #include "lib/photon_stream.glsl"
 #include "lib/sampling.glsl"
 
-layout(push_constant, scalar) uniform PushBlock { SiteEmitPush push; };
+layout(push_constant, scalar) uniform Push {
+  uint first;
+  uint count;
+  uint sites;
+  float meanImportance;  // pixels/m²
+  float hitsPerPass;     // for each hit that was counted at a site; 0: deficits do not matter
+  uint isPotential;      // places count in proportion to their importance
+} push;
 
 /// How far off its surface importance starts, of the scene's extent: sites know no bound of their error.
 const float kOffset = 1e-4;

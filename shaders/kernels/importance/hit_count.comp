@@ -4,8 +4,11 @@
 #include "bindings/importance.glsl"
 #include "bindings/selection.glsl"
 
-layout(scalar, binding = kBindingImportonHitsOut) buffer HitsBlock { uint hitsOut[]; };
-layout(push_constant, scalar) uniform PushBlock { HitCountPush push; };
+layout(scalar) buffer ImportonHitsBlock { uint hitsOut[]; };
+layout(push_constant, scalar) uniform Push {
+  uint isGlobal;
+  uint weight;  // hits that each stands for
+} push;
 
 void main() {
   const uint i = invocationIndex();

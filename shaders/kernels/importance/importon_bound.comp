@@ -7,9 +7,11 @@
 #include "bindings/stored.glsl"
 #include "lib/sampling.glsl"
 
-layout(binding = kBindingWeights) uniform samplerBuffer weights;
-layout(scalar, binding = kBindingFootprints) readonly buffer FootprintsBlock { float footprints[]; };
-layout(push_constant, scalar) uniform PushBlock { ImportonBoundPush push; };
+uniform samplerBuffer weights;
+layout(scalar) readonly buffer FootprintsBlock { float footprints[]; };
+layout(push_constant, scalar) uniform Push {
+  uint levels;
+} push;
 
 const float kSpokenFor = 16.0;  // importons of like footprints in the disc for which one of them speaks
 

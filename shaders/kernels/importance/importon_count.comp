@@ -4,8 +4,10 @@
 #include "bindings/selection.glsl"
 #include "lib/grid.glsl"
 
-layout(scalar, binding = kBindingCellsOut) buffer CountsBlock { uint counts[]; };
-layout(push_constant, scalar) uniform PushBlock { ImportonCountPush push; };
+layout(scalar) buffer CountsBlock { uint counts[]; };
+layout(push_constant, scalar) uniform Push {
+  uint slotMask;
+} push;
 
 void main() {
   const uint i = invocationIndex();

@@ -7,9 +7,12 @@
 #include "bindings/importance_bound.glsl"
 #include "lib/density.glsl"
 
-layout(scalar, binding = kBindingNeighbours) readonly buffer LevelsBlock { uint startLevels[]; };
-layout(binding = kBindingWeights) uniform samplerBuffer weights;
-layout(push_constant, scalar) uniform PushBlock { ImportonDensityPush push; };
+layout(scalar) readonly buffer StartLevelsBlock { uint startLevels[]; };
+uniform samplerBuffer weights;
+layout(push_constant, scalar) uniform Push {
+  uint levels;
+  uint nearest;
+} push;
 
 float countedDistance(Walk walk, vec3 normal, float radius) { return likeDistance(walk, normal, radius); }
 

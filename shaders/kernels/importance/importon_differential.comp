@@ -10,9 +10,11 @@
 #include "lib/differential.glsl"
 #include "lib/sampled_spread.glsl"
 
-layout(scalar, binding = kBindingPathDifferentials) buffer DifferentialsBlock { PathDifferential differentials[]; };
-layout(scalar, binding = kBindingFootprints) writeonly buffer FootprintsBlock { float footprints[]; };
-layout(push_constant, scalar) uniform PushBlock { ImportonDifferentialPush push; };
+layout(scalar) buffer PathDifferentialsBlock { PathDifferential differentials[]; };
+layout(scalar) writeonly buffer FootprintsBlock { float footprints[]; };
+layout(push_constant, scalar) uniform Push {
+  uint source;
+} push;
 
 const float kLeastStep = 9.5367431640625e-7;  // 2^-20 of the scene: no footprint is smaller than the maps' finest cell
 

@@ -5,8 +5,11 @@
 #include "bindings/importon_entries.glsl"
 #include "lib/grid.glsl"
 
-layout(scalar, binding = kBindingKeysOut) writeonly buffer KeysBlock { uint keys[]; };
-layout(push_constant, scalar) uniform PushBlock { ImportonEntriesPush push; };
+layout(scalar) writeonly buffer KeysBlock { uint keys[]; };
+layout(push_constant, scalar) uniform Push {
+  uint slotMask;
+  uint levels;
+} push;
 
 void main() {
   const uint entry = invocationIndex();

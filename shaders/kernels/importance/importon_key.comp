@@ -6,8 +6,10 @@
 #include "lib/grid.glsl"
 #include "lib/map_point.glsl"
 
-layout(scalar, binding = kBindingKeysOut) writeonly buffer KeysBlock { uint keys[]; };
-layout(push_constant, scalar) uniform PushBlock { ImportonKeyPush push; };
+layout(scalar) writeonly buffer KeysBlock { uint keys[]; };
+layout(push_constant, scalar) uniform Push {
+  uint slotMask;
+} push;
 
 void main() {
   const uint i = invocationIndex();

@@ -4,9 +4,12 @@
 #include "bindings/selection.glsl"
 #include "lib/grid.glsl"
 
-layout(scalar, binding = kBindingCellsOut) readonly buffer CountsBlock { uint counts[]; };
-layout(scalar, binding = kBindingNeighbours) writeonly buffer LevelsBlock { uint startLevels[]; };
-layout(push_constant, scalar) uniform PushBlock { ImportonLevelPush push; };
+layout(scalar) readonly buffer CountsBlock { uint counts[]; };
+layout(scalar) writeonly buffer StartLevelsBlock { uint startLevels[]; };
+layout(push_constant, scalar) uniform Push {
+  uint slotMask;
+  uint nearest;
+} push;
 
 void main() {
   const uint i = invocationIndex();

@@ -5,10 +5,12 @@
 #include "bindings/importon_entries.glsl"
 #include "lib/map_point.glsl"
 
-layout(scalar, binding = kBindingValuesIn) readonly buffer OrderBlock { uint order[]; };
-layout(scalar, binding = kBindingPointsOut) writeonly buffer PointsBlock { MapPoint pointsOut[]; };
-layout(scalar, binding = kBindingWeightsOut) writeonly buffer WeightsBlock { float weightsOut[]; };
-layout(push_constant, scalar) uniform PushBlock { ImportonPointsPush push; };
+layout(scalar) readonly buffer OrderBlock { uint order[]; };
+layout(scalar) writeonly buffer PointsOutBlock { MapPoint pointsOut[]; };
+layout(scalar) writeonly buffer WeightsBlock { float weightsOut[]; };
+layout(push_constant, scalar) uniform Push {
+  uint levels;
+} push;
 
 void main() {
   const uint i = invocationIndex();

@@ -3,8 +3,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/selection.glsl"
 
-layout(scalar, binding = kBindingValuesIn) readonly buffer OrderBlock { uint order[]; };
-layout(scalar, binding = kBindingWeightsOut) writeonly buffer ImportanceBlock { float importance[]; };
+layout(scalar) readonly buffer OrderBlock { uint order[]; };
+layout(scalar) writeonly buffer ImportanceBlock { float importance[]; };
 
 void main() {
   const uint i = invocationIndex();

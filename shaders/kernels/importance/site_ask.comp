@@ -3,8 +3,11 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/site_demand.glsl"
 
-layout(scalar, binding = kBindingWeightsOut) writeonly buffer AskedBlock { float asked[]; };
-layout(push_constant, scalar) uniform PushBlock { SiteAskPush push; };
+layout(scalar) writeonly buffer AskedBlock { float asked[]; };
+layout(push_constant, scalar) uniform Push {
+  uint count;
+  uint isGlobal;
+} push;
 
 void main() {
   const uint site = invocationIndex();

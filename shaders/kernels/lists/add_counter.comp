@@ -3,7 +3,11 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/parameters.glsl"
 
-layout(push_constant, scalar) uniform PushBlock { AddCounterPush push; };
+layout(push_constant, scalar) uniform Push {
+  uint counter;
+  uint sum;      // its low word; the high one follows
+  uint empties;  // 1: the counter is 0 afterwards
+} push;
 
 void main() {
   if (invocationIndex() != 0u) return;

@@ -3,9 +3,11 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/parameters.glsl"
 
-layout(scalar, binding = kBindingKeep) readonly buffer KeepBlock { uint keep[]; };
-layout(scalar, binding = kBindingBlockSums) writeonly buffer BlockSumsBlock { uint blockSums[]; };
-layout(push_constant, scalar) uniform PushBlock { CompactCountPush push; };
+layout(scalar) readonly buffer KeepBlock { uint keep[]; };
+layout(scalar) writeonly buffer BlockSumsBlock { uint blockSums[]; };
+layout(push_constant, scalar) uniform Push {
+  uint source;
+} push;
 
 void main() {
   const uint tile = invocationIndex();

@@ -3,11 +3,14 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/parameters.glsl"
 
-layout(scalar, binding = kBindingKeep) readonly buffer KeepBlock { uint keep[]; };
-layout(scalar, binding = kBindingBlockSums) readonly buffer BlockSumsBlock { uint blockSums[]; };
-layout(scalar, binding = kBindingQueue) readonly buffer QueueBlock { uint queue[]; };
-layout(scalar, binding = kBindingNextQueue) writeonly buffer NextQueueBlock { uint nextQueue[]; };
-layout(push_constant, scalar) uniform PushBlock { CompactScatterPush push; };
+layout(scalar) readonly buffer KeepBlock { uint keep[]; };
+layout(scalar) readonly buffer BlockSumsBlock { uint blockSums[]; };
+layout(scalar) readonly buffer QueueBlock { uint queue[]; };
+layout(scalar) writeonly buffer NextQueueBlock { uint nextQueue[]; };
+layout(push_constant, scalar) uniform Push {
+  uint source;
+  uint takesIndex;  // 1: writes the index of an entry; 0: the queue's value there
+} push;
 
 void main() {
   const uint tile = invocationIndex();

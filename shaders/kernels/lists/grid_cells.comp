@@ -3,9 +3,12 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/parameters.glsl"
 
-layout(scalar, binding = kBindingKeysIn) readonly buffer KeysBlock { uint keys[]; };
-layout(scalar, binding = kBindingCellsOut) writeonly buffer CellsBlock { uvec2 cells[]; };
-layout(push_constant, scalar) uniform PushBlock { GridCellsPush push; };
+layout(scalar) readonly buffer KeysBlock { uint keys[]; };
+layout(scalar) writeonly buffer CellsBlock { uvec2 cells[]; };
+layout(push_constant, scalar) uniform Push {
+  uint source;
+  uint slotMask;
+} push;
 
 void main() {
   const uint i = invocationIndex();

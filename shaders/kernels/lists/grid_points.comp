@@ -3,10 +3,12 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/parameters.glsl"
 
-layout(binding = kBindingPoints) uniform usamplerBuffer points;
-layout(scalar, binding = kBindingValuesIn) readonly buffer ValuesBlock { uint order[]; };
-layout(scalar, binding = kBindingPointsOut) writeonly buffer PointsBlock { uvec4 pointsOut[]; };
-layout(push_constant, scalar) uniform PushBlock { GridPointsPush push; };
+uniform usamplerBuffer points;
+layout(scalar) readonly buffer OrderBlock { uint order[]; };
+layout(scalar) writeonly buffer PointsOutBlock { uvec4 pointsOut[]; };
+layout(push_constant, scalar) uniform Push {
+  uint source;
+} push;
 
 void main() {
   const uint i = invocationIndex();

@@ -3,8 +3,11 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/records.glsl"
 
-layout(scalar, binding = kBindingKeep) writeonly buffer KeepBlock { uint keep[]; };
-layout(push_constant, scalar) uniform PushBlock { RecordSelectPush push; };
+layout(scalar) writeonly buffer KeepBlock { uint keep[]; };
+layout(push_constant, scalar) uniform Push {
+  uint source;
+  uint mask;
+} push;
 
 void main() {
   const uint i = invocationIndex();

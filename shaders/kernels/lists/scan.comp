@@ -3,8 +3,13 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/dispatches.glsl"
 
-layout(scalar, binding = kBindingBlockSums) buffer BlockSumsBlock { uint blockSums[]; };
-layout(push_constant, scalar) uniform PushBlock { ScanPush push; };
+layout(scalar) buffer BlockSumsBlock { uint blockSums[]; };
+layout(push_constant, scalar) uniform Push {
+  uint source;  // counter of the entries
+  uint perTile;  // block sums per tile of entries (64 digits in a sort)
+  uint target;  // counter that receives the total; kNone: none
+  uint accumulate;  // counter that receives `source` on top of its value; kNone: none
+} push;
 
 shared uint partial[kScanThreads];
 

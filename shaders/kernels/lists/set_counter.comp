@@ -3,7 +3,13 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/dispatches.glsl"
 
-layout(push_constant, scalar) uniform PushBlock { SetCounterPush push; };
+layout(push_constant, scalar) uniform Push {
+  uint counter;
+  uint value;
+  uint a;      // kNone: nothing is added
+  uint b;
+  uint limit;  // the counter stays at or below it
+} push;
 
 void main() {
   if (invocationIndex() != 0u) return;

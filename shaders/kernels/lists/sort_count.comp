@@ -3,9 +3,12 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/parameters.glsl"
 
-layout(scalar, binding = kBindingKeysIn) readonly buffer KeysBlock { uint keys[]; };
-layout(scalar, binding = kBindingBlockSums) buffer BlockSumsBlock { uint blockSums[]; };
-layout(push_constant, scalar) uniform PushBlock { SortCountPush push; };
+layout(scalar) readonly buffer KeysBlock { uint keys[]; };
+layout(scalar) buffer BlockSumsBlock { uint blockSums[]; };
+layout(push_constant, scalar) uniform Push {
+  uint source;
+  uint shift;
+} push;
 
 void main() {
   const uint tile = invocationIndex();

@@ -3,12 +3,16 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/parameters.glsl"
 
-layout(scalar, binding = kBindingKeysIn) readonly buffer KeysInBlock { uint keysIn[]; };
-layout(scalar, binding = kBindingValuesIn) readonly buffer ValuesInBlock { uint valuesIn[]; };
-layout(scalar, binding = kBindingKeysOut) writeonly buffer KeysOutBlock { uint keysOut[]; };
-layout(scalar, binding = kBindingValuesOut) writeonly buffer ValuesOutBlock { uint valuesOut[]; };
-layout(scalar, binding = kBindingBlockSums) buffer BlockSumsBlock { uint blockSums[]; };
-layout(push_constant, scalar) uniform PushBlock { SortScatterPush push; };
+layout(scalar) readonly buffer KeysInBlock { uint keysIn[]; };
+layout(scalar) readonly buffer ValuesInBlock { uint valuesIn[]; };
+layout(scalar) writeonly buffer KeysOutBlock { uint keysOut[]; };
+layout(scalar) writeonly buffer ValuesOutBlock { uint valuesOut[]; };
+layout(scalar) buffer BlockSumsBlock { uint blockSums[]; };
+layout(push_constant, scalar) uniform Push {
+  uint source;
+  uint shift;
+  uint isFirst;
+} push;
 
 void main() {
   const uint tile = invocationIndex();

@@ -6,10 +6,15 @@
 #include "bindings/stored.glsl"
 #include "lib/flux.glsl"
 
-layout(binding = kBindingMapFlux) uniform usamplerBuffer mapFlux;
-layout(binding = kBindingPoints) uniform usamplerBuffer points;
-layout(scalar, binding = kBindingPointsOut) writeonly buffer IrradianceBlock { uvec2 irradiance[]; };
-layout(push_constant, scalar) uniform PushBlock { IrradianceEstimatePush push; };
+uniform usamplerBuffer mapFlux;
+uniform usamplerBuffer points;
+layout(scalar) writeonly buffer IrradianceBlock { uvec2 irradiance[]; };
+layout(push_constant, scalar) uniform Push {
+  uint count;
+  uint isGlobal;
+  uint arePhotons;
+  uint levels;  // counter with the map's grid levels
+} push;
 
 void main() {
   const uint i = invocationIndex();

@@ -11,9 +11,14 @@
 #include "lib/bsdf.glsl"
 #include "lib/flux.glsl"
 
-layout(scalar, binding = kBindingEyeVertices) readonly buffer EyeVerticesBlock { EyeVertex eyeVertices[]; };
-layout(binding = kBindingMapFlux) uniform usamplerBuffer irradiance;
-layout(push_constant, scalar) uniform PushBlock { MapIrradiancePush push; };
+layout(scalar) readonly buffer EyeVerticesBlock { EyeVertex eyeVertices[]; };
+uniform usamplerBuffer irradiance;
+layout(push_constant, scalar) uniform Push {
+  uint source;
+  uint isGlobal;
+  uint arePhotons;
+  uint levels;  // counter with the map's grid levels
+} push;
 
 /// The nearest photon within the lookup radius; kNone: there is none.
 uint nearestPhoton(Surface s, float radius) {

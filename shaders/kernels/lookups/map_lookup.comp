@@ -7,8 +7,12 @@
 #include "bindings/importance.glsl"
 #include "bindings/photon_light.glsl"
 
-layout(scalar, binding = kBindingEyeVertices) readonly buffer EyeVerticesBlock { EyeVertex eyeVertices[]; };
-layout(push_constant, scalar) uniform PushBlock { MapLookupPush push; };
+layout(scalar) readonly buffer EyeVerticesBlock { EyeVertex eyeVertices[]; };
+layout(push_constant, scalar) uniform Push {
+  uint source;
+  uint isGlobal;
+  uint levels;  // counter with the map's grid levels
+} push;
 
 /// What one photon adds to the radiance.
 vec3 photonContribution(Surface s, Bsdf b, vec3 wo, mat3 frame, uint photon, float radius) {

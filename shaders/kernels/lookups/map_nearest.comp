@@ -7,8 +7,13 @@
 #include "bindings/film.glsl"
 #include "bindings/photon_light.glsl"
 
-layout(scalar, binding = kBindingEyeVertices) readonly buffer EyeVerticesBlock { EyeVertex eyeVertices[]; };
-layout(push_constant, scalar) uniform PushBlock { MapNearestPush push; };
+layout(scalar) readonly buffer EyeVerticesBlock { EyeVertex eyeVertices[]; };
+layout(push_constant, scalar) uniform Push {
+  uint source;
+  uint isGlobal;
+  uint levels;   // of the grid, a bit each
+  uint nearest;  // M
+} push;
 
 /// Squared distance of the point at hand, or -1 if it lies on another surface.
 float countedDistance(Walk walk, vec3 normal, float radius) {

@@ -5,10 +5,13 @@
 #include "bindings/photons.glsl"
 #include "lib/map_point.glsl"
 
-layout(scalar, binding = kBindingValuesIn) readonly buffer OrderBlock { uint order[]; };
-layout(scalar, binding = kBindingPointsOut) writeonly buffer PointsBlock { MapPoint pointsOut[]; };
-layout(scalar, binding = kBindingWeightsOut) writeonly buffer FluxBlock { uvec2 fluxOut[]; };
-layout(push_constant, scalar) uniform PushBlock { PhotonEntriesPush push; };
+layout(scalar) readonly buffer OrderBlock { uint order[]; };
+layout(scalar) writeonly buffer PointsOutBlock { MapPoint pointsOut[]; };
+layout(scalar) writeonly buffer MapFluxBlock { uvec2 fluxOut[]; };
+layout(push_constant, scalar) uniform Push {
+  uint slotMask;
+  uint levels;
+} push;
 
 void main() {
   const uint i = invocationIndex();

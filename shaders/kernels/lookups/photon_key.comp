@@ -5,8 +5,12 @@
 #include "bindings/importance.glsl"
 #include "bindings/photons.glsl"
 
-layout(scalar, binding = kBindingKeysOut) writeonly buffer KeysBlock { uint keys[]; };
-layout(push_constant, scalar) uniform PushBlock { PhotonKeyPush push; };
+layout(scalar) writeonly buffer KeysBlock { uint keys[]; };
+layout(push_constant, scalar) uniform Push {
+  uint isFinished;
+  uint isGlobal;
+  uint slotMask;
+} push;
 
 void main() {
   const uint i = invocationIndex();

@@ -3,8 +3,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/photons.glsl"
 
-layout(scalar, binding = kBindingValuesIn) readonly buffer OrderBlock { uint order[]; };
-layout(scalar, binding = kBindingPointsOut) writeonly buffer MapFluxBlock { uvec2 mapFluxOut[]; };
+layout(scalar) readonly buffer OrderBlock { uint order[]; };
+layout(scalar) writeonly buffer MapFluxBlock { uvec2 mapFluxOut[]; };
 
 void main() {
   const uint i = invocationIndex();

@@ -4,7 +4,7 @@
 #include "bindings/photon_cells.glsl"
 #include "bindings/selection.glsl"
 
-layout(scalar, binding = kBindingNeighbours) readonly buffer HomesBlock { uint homes[]; };
+layout(scalar) readonly buffer HomesBlock { uint homes[]; };
 
 void main() {
   const uint i = invocationIndex();

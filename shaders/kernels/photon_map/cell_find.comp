@@ -9,9 +9,11 @@
 #include "shared/features.h"
 
 layout(constant_id = kSpecIsDirectional) const bool kIsDirectional = false;
-layout(scalar, binding = kBindingNeighbours) writeonly buffer HomesBlock { uint homes[]; };
-layout(scalar, binding = kBindingImportonHitsOut) buffer HitsBlock { uint hitsOut[]; };
-layout(push_constant, scalar) uniform PushBlock { CellFindPush push; };
+layout(scalar) writeonly buffer HomesBlock { uint homes[]; };
+layout(scalar) buffer ImportonHitsBlock { uint hitsOut[]; };
+layout(push_constant, scalar) uniform Push {
+  uint isGlobal;
+} push;
 
 void main() {
   const uint i = invocationIndex();

@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/photon_cells.glsl"
 
-layout(scalar, binding = kBindingOldPhotonCells) readonly buffer OldCellsBlock { PhotonCell oldCells[]; };
+layout(scalar) readonly buffer OldCellsBlock { PhotonCell oldCells[]; };
 
 void main() {
   const uint i = invocationIndex();

@@ -3,9 +3,11 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/photon_cells.glsl"
 
-layout(scalar, binding = kBindingNeighbours) readonly buffer HomesBlock { uint homes[]; };
-layout(scalar, binding = kBindingNextQueue) readonly buffer AcceptedBlock { uint accepted[]; };
-layout(push_constant, scalar) uniform PushBlock { CellSettlePush push; };
+layout(scalar) readonly buffer HomesBlock { uint homes[]; };
+layout(scalar) readonly buffer AcceptedBlock { uint accepted[]; };
+layout(push_constant, scalar) uniform Push {
+  uint capacity;
+} push;
 
 void main() {
   const uint k = invocationIndex();

@@ -5,8 +5,11 @@
 #include "bindings/photons.glsl"
 #include "bindings/selection.glsl"
 
-layout(scalar, binding = kBindingTotals) buffer TotalsBlock { uint totals[]; };  // hits, map, kept: 3 channels of 2 words
-layout(push_constant, scalar) uniform PushBlock { FluxSumPush push; };
+layout(scalar) buffer TotalsBlock { uint totals[]; };  // hits, map, kept: 3 channels of 2 words
+layout(push_constant, scalar) uniform Push {
+  uint what;    // kSum*
+  uint source;
+} push;
 
 void main() {
   const uint tile = invocationIndex();

@@ -5,9 +5,13 @@
 #include "bindings/importance.glsl"
 #include "bindings/selection.glsl"
 
-layout(scalar, binding = kBindingKeysOut) writeonly buffer KeysBlock { uint keys[]; };
-layout(scalar, binding = kBindingImportonHitsOut) buffer HitsBlock { uint hitsOut[]; };
-layout(push_constant, scalar) uniform PushBlock { HitKeyPush push; };
+layout(scalar) writeonly buffer KeysBlock { uint keys[]; };
+layout(scalar) buffer ImportonHitsBlock { uint hitsOut[]; };
+layout(push_constant, scalar) uniform Push {
+  uint isGlobal;
+  uint slotMask;
+  uint isControlled;
+} push;
 
 void main() {
   const uint i = invocationIndex();

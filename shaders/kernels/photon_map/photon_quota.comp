@@ -8,9 +8,14 @@
 #include "bindings/selection.glsl"
 #include "bindings/stored.glsl"
 
-layout(scalar, binding = kBindingValuesIn) readonly buffer OrderBlock { uint batchOrder[]; };
-layout(scalar, binding = kBindingNeighbours) buffer NeighboursBlock { uint neighbours[]; };
-layout(push_constant, scalar) uniform PushBlock { PhotonQuotaPush push; };
+layout(scalar) readonly buffer OrderBlock { uint batchOrder[]; };
+layout(scalar) buffer NeighboursBlock { uint neighbours[]; };
+layout(push_constant, scalar) uniform Push {
+  uint isBatch;
+  uint hasStored;
+  uint acceptance;  // kAccept*
+  uint fewest;      // up to so many neighbours do not count
+} push;
 
 /// Counts from where the walk stands, up to the quota.
 uint countNeighbours(Walk walk, vec3 normal, float radius, uint quota, uint i, uint count) {

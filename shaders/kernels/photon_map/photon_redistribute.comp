@@ -9,7 +9,10 @@
 #include "bindings/selection.glsl"
 #include "bindings/stored.glsl"
 
-layout(push_constant, scalar) uniform PushBlock { PhotonRedistributePush push; };
+layout(push_constant, scalar) uniform Push {
+  uint receivers;
+  uint shares;  // kShare*
+} push;
 
 #include "bindings/receivers.glsl"
 

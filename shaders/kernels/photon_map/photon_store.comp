@@ -4,8 +4,11 @@
 #include "bindings/photons.glsl"
 #include "bindings/selection.glsl"
 
-layout(scalar, binding = kBindingNextQueue) readonly buffer AcceptedBlock { uint accepted[]; };
-layout(push_constant, scalar) uniform PushBlock { PhotonStorePush push; };
+layout(scalar) readonly buffer AcceptedBlock { uint accepted[]; };
+layout(push_constant, scalar) uniform Push {
+  uint capacity;
+  uint isWeighted;  // power times the weight that photon_thin noted
+} push;
 
 void main() {
   const uint k = invocationIndex();

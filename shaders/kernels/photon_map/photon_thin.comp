@@ -5,8 +5,11 @@
 #include "bindings/expected.glsl"
 #include "bindings/selection.glsl"
 
-layout(scalar, binding = kBindingImportonHitsOut) buffer HitsBlock { uint hitsOut[]; };
-layout(push_constant, scalar) uniform PushBlock { PhotonThinPush push; };
+layout(scalar) buffer ImportonHitsBlock { uint hitsOut[]; };
+layout(push_constant, scalar) uniform Push {
+  uint isGlobal;
+  float floorProbability;
+} push;
 
 void main() {
   const uint i = invocationIndex();

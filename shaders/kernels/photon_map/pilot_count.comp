@@ -4,7 +4,9 @@
 #include "bindings/expected.glsl"
 #include "bindings/selection.glsl"
 
-layout(push_constant, scalar) uniform PushBlock { PilotCountPush push; };
+layout(push_constant, scalar) uniform Push {
+  uint isGlobal;
+} push;
 
 void main() {
   const uint i = invocationIndex();

@@ -8,7 +8,13 @@
 #include "lib/photon_stream.glsl"
 
 layout(constant_id = kSpecIsGuided) const bool kIsGuided = true;
-layout(push_constant, scalar) uniform PushBlock { PhotonEmitPush push; };
+layout(push_constant, scalar) uniform Push {
+  uint firstPhoton;
+  uint count;
+  uint stream;
+  uint bins;  // of the guide, along each axis; 0: by power
+  uint isGlobal;
+} push;
 
 /// Walker's alias table: a light by its power. What the choice leaves of u.x is uniform again.
 uint lightByPower(inout vec2 u, out float probability) {

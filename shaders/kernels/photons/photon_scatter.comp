@@ -14,8 +14,12 @@
 
 layout(constant_id = kSpecScatterIsGuided) const bool kScatterIsGuided = false;
 layout(constant_id = kSpecPhotonKind) const uint kPhotonKind = kPhotonsGlobal;
-layout(scalar, binding = kBindingRecordCells) writeonly buffer RecordCellsBlock { uvec2 recordCells[]; };
-layout(push_constant, scalar) uniform PushBlock { PhotonScatterPush push; };
+layout(scalar) writeonly buffer RecordCellsBlock { uvec2 recordCells[]; };
+layout(push_constant, scalar) uniform Push {
+  uint source;
+  uint stream;
+  ScatterGrid guide;
+} push;
 
 MapSettings mapOfPhotons() {
   if (kPhotonKind == kPhotonsGlobal) return params.globalMap;

@@ -4,8 +4,12 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/cell_groups.glsl"
 
-layout(scalar, binding = kBindingGroupLightOut) writeonly buffer GroupBlock { uvec4 groupOut[]; };
-layout(push_constant, scalar) uniform PushBlock { CellGroupPush push; };
+layout(scalar) writeonly buffer GroupLightBlock { uvec4 groupOut[]; };
+layout(push_constant, scalar) uniform Push {
+  uint first;  // group of the level
+  uint count;
+  uint cells;
+} push;
 
 CellLight lightOfMember(uint member, uint side) {
   const uint node = texelFetch(cellMembers, int(member)).x;

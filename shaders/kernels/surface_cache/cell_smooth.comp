@@ -4,8 +4,10 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/cell_groups.glsl"
 
-layout(scalar, binding = kBindingCellIrradianceOut) writeonly buffer IrradianceBlock { uvec4 irradianceOut[]; };
-layout(push_constant, scalar) uniform PushBlock { CellSmoothPush push; };
+layout(scalar) writeonly buffer CellIrradiancesBlock { uvec4 irradianceOut[]; };
+layout(push_constant, scalar) uniform Push {
+  uint cells;
+} push;
 
 void main() {
   const uint i = invocationIndex();

@@ -6,9 +6,9 @@
 #include "lib/flux.glsl"
 #include "lib/hash.glsl"
 
-layout(scalar, binding = kBindingRecordCells) readonly buffer RecordCellsBlock { uvec2 recordCells[]; };
-layout(scalar, binding = kBindingIrradiance) buffer IrradianceBlock { uint irradiance[]; };
-layout(scalar, binding = kBindingTotals) buffer TotalsBlock { uint totals[]; };  // of all hits: 3 channels of 2 words
+layout(scalar) readonly buffer RecordCellsBlock { uvec2 recordCells[]; };
+layout(scalar) buffer CellSumsBlock { uint irradiance[]; };
+layout(scalar) buffer TotalsBlock { uint totals[]; };  // of all hits: 3 channels of 2 words
 
 void main() {
   const uint tile = invocationIndex();

@@ -1,88 +1,91 @@
 #include "render/camera/eye_pass.h"
 
+#include "kernels/aov_answer.h"
+#include "kernels/aov_ask.h"
+#include "kernels/aov_cells.h"
+#include "kernels/aov_map.h"
+#include "kernels/aov_surface.h"
+#include "kernels/eye_light.h"
+#include "kernels/film_add.h"
 #include "render/lists/lists.h"
 #include "render/lists/path_queues.h"
-#include "shared/bindings.h"
 
 namespace importon {
 namespace {
 
-void traceShadowRays(const Stage& stage, gpu::BindingTable table, uint counter) {
-  table.set(kBindingRays, stage.work.shadowRays);
-  table.set(kBindingRayTexels, stage.work.shadowRays);
-  table.set(kBindingHits, stage.work.shadowHits);
-  table.set(kBindingHitTexels, stage.work.shadowHits);
-  overRays(stage, stage.kernels.traceShadow, table, counter, TracePush{counter});
-  overItems(stage, stage.kernels.eyeLight, table, counter, EyeLightPush{counter});
-}
-
-void lookUp(const Stage& stage, gpu::BindingTable table, const ImportanceMap& importance, const PhotonMap& map,
-            uint counter, bool isGlobal) {
-  importance.bind(table);
-  if (map.hasIrradiance()) {
-    map.bindIrradiance(table);
-    overItems(stage, stage.kernels.mapIrradiance, table, counter, map.irradiancePush(counter));
-  }
-  if (map.isReadByNearest()) {
-    map.bindNearest(table);
-    overItems(stage, stage.kernels.mapNearest, table, counter, map.nearestPush(counter));
-    return;
-  }
-  map.bindFinished(table);
-  overItems(stage, stage.kernels.mapLookup, table, counter, MapLookupPush{counter, isGlobal, map.levelsCounter()});
+/// Traces shadow rays of the paths of a queue, and adds the light that arrives.
+void addDirectLight(const Stage& stage, uint counter, const buffers::Queue& queue) {
+  const buffers::Hits hits{stage.work.shadowHits};
+  traceShadow(stage, counter, queue, hits, buffers::Rays{stage.work.shadowRays});
+  overItems<kernels::EyeLight>(stage, counter, {.source = counter}, queue, hits);
 }
 
 }  // namespace
 
 void traceImage(const Stage& stage, const EyeMaps& maps, const EyeSamples& samples, uint first, uint count,
                 uint maxDepth, const gpu::Buffer& film, uint filmOffset) {
-  gpu::BindingTable table = stage.work.table;
-  maps.globalImportance->bind(table);
   const bool isPlanned = samples.plan != nullptr;
-  if (isPlanned) table.set(kBindingSamplePlan, *samples.plan);
+  const buffers::SamplePlan plan{isPlanned ? *samples.plan : stage.work.standIns.samplePlan};
   const uint paths = isPlanned ? samples.count : count * samples.count;
-  PathQueues queues = startQueues(stage, stage.kernels.eyeEmit, table,
-                                  EyeEmitPush{first, paths, count, samples.first, 0, 0, isPlanned});
+  PathQueues queues = startQueues<kernels::EyeEmit>(stage,
+                                                    {.first = first,
+                                                     .count = paths,
+                                                     .pixels = count,
+                                                     .firstSample = samples.first,
+                                                     .total = 0,
+                                                     .isCentred = false,
+                                                     .isPlanned = isPlanned},
+                                                    plan);
   for (uint depth = 0; depth <= maxDepth; ++depth) {
-    table.set(kBindingQueue, *queues.now);
-    overRays(stage, stage.kernels.traceClosest, table, queues.counter, TracePush{queues.counter});
+    const buffers::Queue queue{*queues.now};
+    traceClosest(stage, queues.counter, queue);
     setCounter(stage, kCounterLookups, 0);
-    overItems(stage, stage.kernels.eyeScatter, table, queues.counter, EyeScatterPush{queues.counter, 1});
-    traceShadowRays(stage, table, queues.counter);
-    table.set(kBindingQueue, stage.work.lookups);
+    overItems<kernels::EyeScatter>(stage, queues.counter, {.source = queues.counter, .knowsImportance = true}, queue,
+                                   maps.globalImportance->buffers());
+    addDirectLight(stage, queues.counter, queue);
     setCounter(stage, kCounterLookups, 0, kCounterLookups);
-    if (maps.caustic != nullptr) lookUp(stage, table, *maps.causticImportance, *maps.caustic, kCounterLookups, false);
+    if (maps.caustic != nullptr)
+      maps.caustic->lookUp(stage, *maps.causticImportance, kCounterLookups, stage.work.lookups);
     if (maps.global != nullptr && !maps.hasCells && depth > 0)
-      lookUp(stage, table, *maps.globalImportance, *maps.global, kCounterLookups, true);
+      maps.global->lookUp(stage, *maps.globalImportance, kCounterLookups, stage.work.lookups);
     compact(stage, queues.counter, queues.nextCounter, queues.now, *queues.next, kCounterRaysClosest);
     queues.swap();
   }
   addCounter(stage, kCounterRaysClosest, kSumRaysClosest, true);
-  table.set(kBindingFilm, film);
-  stage.recorder.dispatch(stage.kernels.filmAdd, table, count,
-                          FilmAddPush{count, samples.count, filmOffset, samples.first, isPlanned, paths});
+  run<kernels::FilmAdd>(stage, count,
+                        {.count = count,
+                         .samples = samples.count,
+                         .offset = filmOffset,
+                         .first = samples.first,
+                         .isPlanned = isPlanned,
+                         .paths = paths},
+                        plan, buffers::Film{film});
 }
 
 void traceAovs(const Stage& stage, const EyeMaps& maps, uint first, uint count, const gpu::Buffer& aov) {
-  gpu::BindingTable table = stage.work.table;
-  table.set(kBindingAov, aov);
-  startQueues(stage, stage.kernels.eyeEmit, table, EyeEmitPush{first, count, count, 0, 0, 1, 0});
-  overRays(stage, stage.kernels.traceClosest, table, kCounterQueueA, TracePush{kCounterQueueA});
-  stage.recorder.dispatch(stage.kernels.aovSurface, table, count, AovSurfacePush{count});
+  const buffers::Aov layers{aov};
+  const buffers::Queue queue{stage.work.queueA};
+  startQueues<kernels::EyeEmit>(stage, {.first = first,
+                                        .count = count,
+                                        .pixels = count,
+                                        .firstSample = 0,
+                                        .total = 0,
+                                        .isCentred = true,
+                                        .isPlanned = false});
+  traceClosest(stage, kCounterQueueA, queue);
+  run<kernels::AovSurface>(stage, count, {.count = count}, layers);
   const auto addMap = [&](const PhotonMap* map, const ImportanceMap& importance, bool isGlobal) {
     if (map == nullptr) return;
-    importance.bind(table);
-    map->bindFinished(table);
-    stage.recorder.dispatch(stage.kernels.aovMap, table, count, AovMapPush{count, isGlobal, map->levelsCounter()});
-    stage.recorder.dispatch(stage.kernels.aovAsk, table, count, AovLightPush{count, isGlobal});
-    lookUp(stage, table, importance, *map, kCounterQueueA, isGlobal);
-    stage.recorder.dispatch(stage.kernels.aovAnswer, table, count, AovLightPush{count, isGlobal});
+    run<kernels::AovMap>(stage, count, {.count = count, .isGlobal = isGlobal, .levels = map->levelsCounter()}, layers,
+                         importance.buffers(), map->finished());
+    run<kernels::AovAsk>(stage, count, {.count = count, .isGlobal = isGlobal});
+    map->lookUp(stage, importance, kCounterQueueA, stage.work.queueA);
+    run<kernels::AovAnswer>(stage, count, {.count = count, .isGlobal = isGlobal}, layers);
   };
   addMap(maps.caustic, *maps.causticImportance, false);
   addMap(maps.global, *maps.globalImportance, true);
   if (!maps.hasCells || maps.global != nullptr) return;
-  maps.globalImportance->bind(table);
-  stage.recorder.dispatch(stage.kernels.aovCells, table, count, AovCellsPush{count});
+  run<kernels::AovCells>(stage, count, {.count = count}, layers, maps.globalImportance->buffers());
 }
 
 }  // namespace importon

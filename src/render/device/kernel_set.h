@@ -1,35 +1,50 @@
-/// All kernels of a render, specialised by the scene's features.
+/// The kernels of a render, specialised by what scene and job need.
 #pragma once
+#include <map>
+#include <mutex>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "gpu/kernel.h"
 #include "render/features/feature_set.h"
 
 namespace importon {
 
-struct KernelSet {
-  gpu::Kernel setCounter, addCounter, compactCount, scan, compactScatter, sortCount, sortScatter, gridCells, gridPoints;
-  gpu::Kernel traceClosest, traceShadow;
-  gpu::Kernel eyeEmit, eyeScatter, eyeLight, mapLookup, filmAdd, aovSurface, aovMap;
-  gpu::Kernel mapNearest, mapIrradiance, irradianceEstimate, aovAsk, aovAnswer;
-  gpu::Kernel importonEmit, importonDifferential, importonBound, importonScatter, importonCount, importonLevel,
-      importonEntries, importonPoints, importonDensity, importonKey, importonResolve;
-  gpu::Kernel photonEmit, photonEmitGuided, photonScatter, causticScatter, guideLearn, irradianceAdd, aovCells, siteAsk;
-  gpu::Kernel cellGroup, cellSmooth;
-  gpu::Kernel photonScatterGuided, siteEmit, scatterLearn;  // where photons scatter by a guide
-  gpu::Kernel recordSelect, hitCount, hitKey, photonQuota, photonStore, photonThin, pilotCount, photonKey,
-      photonEntries, photonEntryPoints, photonRedistribute, photonResolve, fluxSum;
-  gpu::Kernel cellFind, cellClaim, cellSettle, cellAdd, cellMove;
+/// Each kernel is made when it is first asked for. From any thread.
+class KernelSet {
+ public:
+  /// Specialised by `constants`. With `hasAlpha` rays pass the holes of materials.
+  KernelSet(gpu::Context& context, std::vector<gpu::Specialization> constants, bool hasAlpha)
+      : context_(context), constants_(std::move(constants)), hasAlpha_(hasAlpha) {}
+
+  /// The kernel that `Call` calls: of <kernels/...>, or of kernel_variants.h. Throws DeviceError.
+  template <class Call>
+  [[nodiscard]] const gpu::Kernel& get() {
+    if constexpr (requires { Call::own; })
+      return find(Call::label, Call::code, Call::own);
+    else
+      return find(Call::label, Call::code, std::nullopt);
+  }
+  [[nodiscard]] bool hasAlpha() const { return hasAlpha_; }
+
+ private:
+  const gpu::Kernel& find(std::string_view label, const gpu::KernelCode& code, std::optional<gpu::Specialization> own);
+
+  gpu::Context& context_;
+  std::vector<gpu::Specialization> constants_;
+  bool hasAlpha_;
+  std::mutex mutex_;  // of the next
+  std::map<std::string_view, gpu::Kernel> made_;
 };
 
-/// Those that `features` and the job's integrator may call for; each is compiled when it is first used.
-[[nodiscard]] KernelSet makeKernels(gpu::Context& context, const FeatureSet& features, const RenderJob& job);
+/// The constants of all kernels of a render; two renders with the same can share kernels.
+[[nodiscard]] std::vector<gpu::Specialization> constantsOf(const FeatureSet& features, const RenderJob& job,
+                                                           bool isCpu);
 
 /// Compiles those that the job surely calls for, in the order of use, on as many threads as the job has. Meant to run
-/// beside what uses them, which waits for no more than its own. Throws DeviceError.
-void compileAhead(const KernelSet& set, const FeatureSet& features, const RenderJob& job);
-
-/// The same for any two pairs for which makeKernels makes the same kernels.
-[[nodiscard]] std::string describeKernels(const FeatureSet& features, const RenderJob& job);
+/// beside what uses them, which waits for no more than its own. A kernel that is not among them is compiled when it is
+/// first used. Throws DeviceError.
+void compileAhead(KernelSet& set, const FeatureSet& features, const RenderJob& job);
 
 }  // namespace importon

@@ -2,12 +2,13 @@
 
 namespace importon {
 
+LoadedDevice::LoadedDevice(const FeatureSet& features, const RenderJob& job)
+    : context({job.device, job.validation}),
+      kernels(context, constantsOf(features, job, context.limits().isCpu), features.hasAlpha),
+      compilation(std::async(std::launch::async, [this, features, job] { compileAhead(kernels, features, job); })) {}
+
 std::shared_ptr<LoadedDevice> loadDevice(const FeatureSet& features, const RenderJob& job) {
-  auto loaded = std::make_shared<LoadedDevice>(gpu::ContextOptions{job.device, job.validation});
-  loaded->kernels = makeKernels(loaded->context, features, job);
-  loaded->compilation = std::async(std::launch::async,
-                                   [&device = *loaded, features, job] { compileAhead(device.kernels, features, job); });
-  return loaded;
+  return std::make_shared<LoadedDevice>(features, job);
 }
 
 }  // namespace importon

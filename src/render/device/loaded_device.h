@@ -10,7 +10,7 @@
 namespace importon {
 
 struct LoadedDevice {
-  explicit LoadedDevice(const gpu::ContextOptions& options) : context(options) {}
+  LoadedDevice(const FeatureSet& features, const RenderJob& job);
   gpu::Context context;
   KernelSet kernels;
   std::future<void> compilation;  // of kernels, ahead of their use

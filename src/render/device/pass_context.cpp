@@ -78,7 +78,6 @@ PassContext::PassContext(const RenderJob& j, const Scene& s, Log& l, RenderStats
       parameters(makeParameters(job, scene, plan, loaded.size)),
       work(device->context, plan.workspace),
       recorder(device->context) {
-  deviceScene.bind(work.table);
   upload();  // layers of an image without a pass need them
 }
 

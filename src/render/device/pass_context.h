@@ -30,7 +30,7 @@ struct PassContext {
   Workspace work;
   gpu::Recorder recorder;
 
-  [[nodiscard]] Stage stage() { return {device->context, recorder, device->kernels, work}; }
+  [[nodiscard]] Stage stage() { return {device->context, recorder, device->kernels, work, deviceScene}; }
   [[nodiscard]] bool hasMaps() const { return job.integrator == Integrator::photon; }
   [[nodiscard]] std::uint64_t pixels() const { return std::uint64_t{parameters.width} * parameters.height; }
   /// pixels/m², if it were the same everywhere.

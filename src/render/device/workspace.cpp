@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "shared/bindings.h"
 #include "shared/ray_data.h"
 
 namespace importon {
@@ -13,6 +12,14 @@ std::uint64_t Workspace::blockSumsOf(std::uint64_t compacted, std::uint64_t sort
   const auto tiles = [](std::uint64_t entries) { return (entries + kTileSize - 1) / kTileSize; };
   return std::max(tiles(compacted), tiles(sorted) * kRadix);
 }
+
+StandIns::StandIns(gpu::Context& c)
+    : guideRows(c, "no guide", sizeof(float), TexelFormat::float1),
+      guideColumns(c, "no guide", sizeof(float), TexelFormat::float1),
+      scatterGuides(c, "no guide", sizeof(float), TexelFormat::float1),
+      samplePlan(c, "no sample plan", sizeof(uvec2), TexelFormat::uint2),
+      surfaceCells(c, "no cells of triangles", sizeof(uvec2), TexelFormat::uint2),
+      cells(c, "no cells", 2 * sizeof(uvec4), TexelFormat::uint4) {}
 
 Workspace::Workspace(gpu::Context& c, const WorkspaceSize& s)
     : parameters(c, "parameters", sizeof(Parameters)),
@@ -46,48 +53,11 @@ Workspace::Workspace(gpu::Context& c, const WorkspaceSize& s)
       footprints(c, "footprints", 0),
       bounds(c, "importance bounds", 0),
       lightsSeen(c, "lights seen", s.lightVoxels * sizeof(uvec2), TexelFormat::uint2),
-      noCells(c, "no cells", 2 * sizeof(uvec4), TexelFormat::uint4),
-      noCellsOfTriangles(c, "no cells of triangles", sizeof(uvec2), TexelFormat::uint2),
       lookups(c, "lookups", s.slots * sizeof(uint)),
-      noSamplePlan(c, "no sample plan", sizeof(uvec2), TexelFormat::uint2),
-      noGuide(c, "no guide", sizeof(float), TexelFormat::float1),
+      standIns(c),
+      cells(standIns.noCells()),
       size(s) {
   lightsSeen.upload(std::span<const uvec2>(std::vector<uvec2>(s.lightVoxels)));
-  table.set(kBindingLightsSeen, lightsSeen);
-  table.set(kBindingLightsSeenOut, lightsSeen);
-  table.set(kBindingSurfaceCells, noCellsOfTriangles);
-  table.set(kBindingCellPlaces, noCellsOfTriangles);
-  table.set(kBindingRecordCells, recordCells);
-  for (const uint binding : {kBindingIrradiance, kBindingIrradianceTexels, kBindingCellIrradiance})
-    table.set(binding, noCells);
-  table.set(kBindingLookups, lookups);
-  table.set(kBindingSamplePlan, noSamplePlan);
-  table.set(kBindingGuideRows, noGuide);
-  table.set(kBindingGuideColumns, noGuide);
-  table.set(kBindingScatterGuide, noGuide);
-  table.set(kBindingPathDifferentials, pathDifferentials);
-  table.set(kBindingFootprints, footprints);
-  table.set(kBindingBounds, bounds);
-  table.set(kBindingParameters, parameters);
-  table.set(kBindingCounters, counters);
-  table.set(kBindingDispatches, dispatches);
-  table.set(kBindingRays, rays);
-  table.set(kBindingRayTexels, rays);
-  table.set(kBindingHits, hits);
-  table.set(kBindingHitTexels, hits);
-  table.set(kBindingShadowRays, shadowRays);
-  table.set(kBindingShadowLight, shadowLight);
-  table.set(kBindingPaths, paths);
-  table.set(kBindingEyeVertices, eyeVertices);
-  table.set(kBindingPathLight, pathLight);
-  table.set(kBindingKeep, keep);
-  table.set(kBindingBlockSums, blockSums);
-  table.set(kBindingRecordPoints, recordPoints);
-  table.set(kBindingRecords, records);
-  table.set(kBindingRequired, required);
-  table.set(kBindingSelection, selection);
-  table.set(kBindingSelectedPoints, selectedPoints);
-  table.set(kBindingNeighbours, neighbours);
 }
 
 }  // namespace importon

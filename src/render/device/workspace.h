@@ -1,16 +1,36 @@
 /// Transient device buffers of a pass, and the kernels that work on them.
 #pragma once
+#include <functional>
+
 #include "gpu/buffer.h"
 #include "gpu/recorder.h"
 #include "render/device/kernel_set.h"
+#include "render/device_scene/device_scene.h"
 #include "render/plan/pass_plan.h"
 #include "shared/render_data.h"
 
 namespace importon {
 
-/// Buffers that all phases share. `table` has them under their binding numbers.
+/// Surface cells of the pass at hand, by the names that kernels have for them.
+struct CellBuffers {
+  std::reference_wrapper<const gpu::Buffer> surfaceCells, cellPlaces, cellSums, cellIrradiances;
+};
+
+/// Stand for what there is not: guides, a plan of samples, surface cells.
+struct StandIns {
+  explicit StandIns(gpu::Context& context);
+
+  gpu::Buffer guideRows, guideColumns, scatterGuides, samplePlan;
+  gpu::Buffer surfaceCells, cells;
+
+  [[nodiscard]] CellBuffers noCells() const { return {surfaceCells, surfaceCells, cells, cells}; }
+};
+
+/// Buffers that all phases share, by the names that kernels have for them.
 struct Workspace {
   Workspace(gpu::Context& context, const WorkspaceSize& size);
+  Workspace(const Workspace&) = delete;
+  Workspace& operator=(const Workspace&) = delete;
 
   gpu::Buffer parameters, counters, dispatches;
   gpu::Buffer rays, hits, shadowRays, shadowHits, shadowLight, paths, eyeVertices, pathLight, queueA, queueB;
@@ -19,11 +39,9 @@ struct Workspace {
   gpu::Buffer recordCells;                            // of one item without cells
   gpu::Buffer pathDifferentials, footprints, bounds;  // of one item without differentials
   gpu::Buffer lightsSeen;                             // two words per voxel: shaders/lib/light_voxel.glsl
-  gpu::Buffer noCells, noCellsOfTriangles;            // stands for an irradiance map where there is none
   gpu::Buffer lookups;                                // slots of paths that ask for a map lookup
-  gpu::Buffer noSamplePlan;                           // stands for one where all pixels have as many paths
-  gpu::Buffer noGuide;                                // stands for an emission guide where there is none
-  gpu::BindingTable table;
+  StandIns standIns;
+  CellBuffers cells;
   WorkspaceSize size;
 
   [[nodiscard]] bool hasDifferentials() const { return size.hasDifferentials; }
@@ -38,8 +56,9 @@ struct Workspace {
 struct Stage {
   gpu::Context& gpu;
   gpu::Recorder& recorder;
-  const KernelSet& kernels;
+  KernelSet& kernels;
   Workspace& work;
+  const DeviceScene& scene;
 };
 
 }  // namespace importon

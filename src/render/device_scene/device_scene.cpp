@@ -9,7 +9,6 @@
 #include "render/device_scene/light_tree.h"
 #include "render/plan/pass_plan.h"
 #include "scene/environment.h"
-#include "shared/bindings.h"
 
 namespace importon {
 namespace {
@@ -164,7 +163,7 @@ DeviceScene uploadScene(gpu::Context& context, const Scene& scene, const Bvh& bv
   d.triangles = buffer(context, "triangles", scene.triangles, TexelFormat::uint4);
   d.materials = buffer(context, "materials", scene.materials, TexelFormat::uint4);
   d.textures = buffer(context, "textures", packTextures(scene), TexelFormat::uint4);
-  d.texels = buffer(context, "texels", scene.texels, TexelFormat::uint1);
+  d.images = buffer(context, "texels", scene.texels, TexelFormat::uint1);
   d.lights = buffer(context, "lights", packLights(scene), TexelFormat::uint4);
   d.lightTree = buffer(context, "light tree", packLightTree(scene), TexelFormat::uint4);
   d.lightAlias = buffer(context, "light alias table", makeAliasTable(emissionWeights(scene)));
@@ -173,25 +172,9 @@ DeviceScene uploadScene(gpu::Context& context, const Scene& scene, const Bvh& bv
   const EnvironmentMap black{1, 1, {vec3(0.0f)}};
   const EnvironmentMap& environment = scene.environment ? *scene.environment : black;
   d.environment = buffer(context, "environment", packEnvironment(environment), TexelFormat::uint4);
-  d.environmentAlias =
+  d.environmentAliases =
       buffer(context, "environment alias tables", packEnvironmentAlias(environment), TexelFormat::uint2);
   return d;
-}
-
-void DeviceScene::bind(gpu::BindingTable& table) const {
-  table.set(kBindingBvhNodes, bvh);
-  table.set(kBindingVertices, vertices);
-  table.set(kBindingAlbedo, albedo);
-  table.set(kBindingLightTree, lightTree);
-  table.set(kBindingEnvironment, environment);
-  table.set(kBindingEnvironmentAlias, environmentAlias);
-  table.set(kBindingTriangles, triangles);
-  table.set(kBindingMaterials, materials);
-  table.set(kBindingTextures, textures);
-  table.set(kBindingTexels, texels);
-  table.set(kBindingLights, lights);
-  table.set(kBindingLightAlias, lightAlias);
-  table.set(kBindingLightOfTriangle, lightOfTriangle);
 }
 
 }  // namespace importon

@@ -8,12 +8,11 @@
 
 namespace importon {
 
+/// By the names that kernels have for its buffers.
 struct DeviceScene {
-  gpu::Buffer bvh, vertices, triangles, materials, textures, texels, lights, lightAlias, lightOfTriangle, albedo;
-  gpu::Buffer environment, environmentAlias, lightTree;
+  gpu::Buffer bvh, vertices, triangles, materials, textures, images, lights, lightAlias, lightOfTriangle, albedo;
+  gpu::Buffer environment, environmentAliases, lightTree;
   double area = 0;  // m², of one side of all surfaces
-  /// Enters all buffers under their binding numbers.
-  void bind(gpu::BindingTable& table) const;
 };
 
 /// Uploads; throws DeviceError with need and limit if the device cannot hold it.

@@ -1,8 +1,10 @@
 #include "render/features/feature_set.h"
 
 #include <algorithm>
+#include <array>
 
 #include "render/options/gather_source.h"
+#include "scene/material_table.h"
 #include "shared/features.h"
 
 namespace importon {
@@ -33,11 +35,9 @@ bool mayBeSmooth(const Scene& scene, const Material& m) {
 }
 
 bool usesTextures(const Material& m) {
-  const uint slots[] = {m.baseColorTexture,      m.metallicRoughnessTexture, m.normalTexture,
-                        m.emissiveTexture,       m.transmissionTexture,      m.specularTexture,
-                        m.specularColorTexture,  m.clearcoatTexture,         m.clearcoatRoughnessTexture,
-                        m.clearcoatNormalTexture};
-  return std::any_of(std::begin(slots), std::end(slots), [](uint slot) { return slot != kNone; });
+  bool uses = false;
+  visitTextures(m, [&](uint texture) { uses = uses || texture != kNone; });
+  return uses;
 }
 
 bool hasAnyColor(const Scene& scene) {
@@ -46,52 +46,125 @@ bool hasAnyColor(const Scene& scene) {
                      [](const Vertex& v) { return v.colorRG != kWhiteHalves || (v.colorBA & 0xFFFFu) != 0x3C00u; });
 }
 
+bool anyMaterial(const Scene& scene, bool (*test)(const Material&)) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(), test);
+}
+
+bool anyLight(const Scene& scene, bool (*test)(uint kind)) {
+  return std::any_of(scene.lights.begin(), scene.lights.end(), [&](const Light& light) { return test(light.kind); });
+}
+
+bool absorbs(const Material& m) {
+  return (m.flags & kMaterialSolid) != 0 && m.transmission > 0 && glm::any(glm::greaterThan(m.absorption, vec3(0)));
+}
+
+bool needsCaustics(const Scene& scene, const RenderJob& job) {
+  return job.forcesAllFeatures || std::any_of(scene.materials.begin(), scene.materials.end(), [&](const Material& m) {
+           return mayBeSmooth(scene, m) || m.transmission > 0;
+         });
+}
+
+/// Of a scene: what is modelled if anything there asks for it, or the job forces all. Of maps: never by path tracing.
+enum class FeatureKind { scene, maps };
+
+struct FeatureEntry {
+  const char* name;
+  bool FeatureSet::*flag;
+  uint specialization;  // its constant in kernels; kNone: none
+  FeatureKind kind;
+  bool (*isNeeded)(const Scene&, const RenderJob&);
+  const char *with, *without;  // why
+};
+
+using S = const Scene&;
+using J = const RenderJob&;
+using M = const Material&;
+using F = FeatureSet;
+constexpr auto kScene = FeatureKind::scene;
+constexpr auto kMaps = FeatureKind::maps;
+
+const std::array kFeatures{
+    FeatureEntry{"alpha", &F::hasAlpha, kNone, kScene,
+                 [](S scene, J) {
+                   return anyMaterial(scene,
+                                      [](M m) { return (m.flags & (kMaterialAlphaMask | kMaterialAlphaBlend)) != 0; });
+                 },
+                 "a material is masked or blended", "every material is opaque"},
+    FeatureEntry{"textures", &F::hasTextures, kSpecHasTextures, kScene,
+                 [](S scene, J) { return anyMaterial(scene, usesTextures); }, "a material uses a texture",
+                 "no material uses a texture"},
+    FeatureEntry{"normal maps", &F::hasNormalMaps, kSpecHasNormalMaps, kScene,
+                 [](S scene, J) {
+                   return anyMaterial(
+                       scene, [](M m) { return m.normalTexture != kNone || m.clearcoatNormalTexture != kNone; });
+                 },
+                 "a material has a normal texture", "no material has a normal texture"},
+    FeatureEntry{"vertex colours", &F::hasVertexColors, kSpecHasVertexColors, kScene,
+                 [](S scene, J) { return hasAnyColor(scene); }, "a mesh has COLOR_0",
+                 "no mesh has a colour other than white"},
+    FeatureEntry{"reflection", &F::hasReflection, kSpecHasReflection, kScene,
+                 [](S scene, J) { return anyMaterial(scene, reflects); },
+                 "a material reflects otherwise than Lambert's law", "every material is Lambertian"},
+    FeatureEntry{"transmission", &F::hasTransmission, kSpecHasTransmission, kScene,
+                 [](S scene, J) { return anyMaterial(scene, [](M m) { return m.transmission > 0; }); },
+                 "a material transmits light", "no material transmits light"},
+    FeatureEntry{"media", &F::hasMedia, kSpecHasMedia, kScene, [](S scene, J) { return anyMaterial(scene, absorbs); },
+                 "a solid absorbs light", "no solid absorbs light"},
+    FeatureEntry{"clear coat", &F::hasClearcoat, kSpecHasClearcoat, kScene,
+                 [](S scene, J) { return anyMaterial(scene, [](M m) { return m.clearcoat > 0; }); },
+                 "a material has a clear coat", "no material has a clear coat"},
+    FeatureEntry{"area lights", &F::hasTriangleLights, kSpecHasTriangleLights, kScene,
+                 [](S scene, J) { return anyLight(scene, [](uint kind) { return kind == kLightTriangle; }); },
+                 "a triangle emits", "no triangle emits"},
+    FeatureEntry{"punctual lights", &F::hasPunctualLights, kSpecHasPunctualLights, kScene,
+                 [](S scene, J) {
+                   return anyLight(scene,
+                                   [](uint kind) { return kind != kLightTriangle && kind != kLightEnvironment; });
+                 },
+                 "there is a point, spot or directional light", "there is no punctual light"},
+    FeatureEntry{"environment", &F::hasEnvironment, kSpecHasEnvironment, kScene,
+                 [](S scene, J) { return anyLight(scene, [](uint kind) { return kind == kLightEnvironment; }); },
+                 "the scene has an environment", "the scene has no environment"},
+    FeatureEntry{"caustic map", &F::needsCausticMap, kSpecHasCausticMap, kMaps, needsCaustics,
+                 "a surface may be smooth enough to focus light", "no surface is specular"},
+    FeatureEntry{"surface cells", &F::readsCells, kSpecReadsCells, kMaps,
+                 [](S, J job) { return gatherSource(job) == GatherSource::cells; },
+                 "gather rays read the irradiance of surface cells", "gather rays read photons"},
+    FeatureEntry{"global map", &F::needsGlobalMap, kSpecHasGlobalMap, kMaps, [](S, J) { return true; },
+                 "light comes back from surfaces that are no lights", ""}};
+
 }  // namespace
 
 FeatureSet findFeatures(const Scene& scene, const RenderJob& job) {
-  FeatureSet f;
-  for (const Material& m : scene.materials) {
-    f.hasAlpha = f.hasAlpha || (m.flags & (kMaterialAlphaMask | kMaterialAlphaBlend)) != 0;
-    f.hasTextures = f.hasTextures || usesTextures(m);
-    f.hasNormalMaps = f.hasNormalMaps || m.normalTexture != kNone || m.clearcoatNormalTexture != kNone;
-    f.hasReflection = f.hasReflection || reflects(m);
-    f.hasTransmission = f.hasTransmission || m.transmission > 0;
-    f.hasMedia = f.hasMedia || ((m.flags & kMaterialSolid) != 0 && m.transmission > 0 &&
-                                glm::any(glm::greaterThan(m.absorption, vec3(0))));
-    f.hasClearcoat = f.hasClearcoat || m.clearcoat > 0;
-    f.needsCausticMap = f.needsCausticMap || mayBeSmooth(scene, m) || m.transmission > 0;
+  FeatureSet features;
+  features.pixelFilter = static_cast<uint>(job.filter);
+  for (const FeatureEntry& entry : kFeatures) {
+    const bool isOut = entry.kind == FeatureKind::maps && job.integrator == Integrator::path;
+    const bool isForced = entry.kind == FeatureKind::scene && job.forcesAllFeatures;
+    features.*entry.flag = !isOut && (isForced || entry.isNeeded(scene, job));
   }
-  for (const Light& light : scene.lights) {
-    f.hasTriangleLights = f.hasTriangleLights || light.kind == kLightTriangle;
-    f.hasEnvironment = f.hasEnvironment || light.kind == kLightEnvironment;
-    f.hasPunctualLights = f.hasPunctualLights || (light.kind != kLightTriangle && light.kind != kLightEnvironment);
-  }
-  f.hasVertexColors = hasAnyColor(scene);
-  f.needsGlobalMap = true;
-  if (job.forcesAllFeatures) {
-    f = {true, true, true, true, true, true, true, true, true, true, true, 0, true, false, true};
-  }
-  f.readsCells = gatherSource(job) == GatherSource::cells;
-  f.pixelFilter = static_cast<uint>(job.filter);
-  if (job.integrator == Integrator::path) f.needsCausticMap = f.needsGlobalMap = f.readsCells = false;
-  return f;
+  return features;
 }
 
-std::vector<gpu::Specialization> specializations(const FeatureSet& f) {
-  return {{kSpecHasTextures, f.hasTextures},
-          {kSpecHasNormalMaps, f.hasNormalMaps},
-          {kSpecHasVertexColors, f.hasVertexColors},
-          {kSpecHasReflection, f.hasReflection},
-          {kSpecHasTransmission, f.hasTransmission},
-          {kSpecHasMedia, f.hasMedia},
-          {kSpecHasClearcoat, f.hasClearcoat},
-          {kSpecHasTriangleLights, f.hasTriangleLights},
-          {kSpecHasPunctualLights, f.hasPunctualLights},
-          {kSpecHasEnvironment, f.hasEnvironment},
-          {kSpecPixelFilter, f.pixelFilter},
-          {kSpecHasCausticMap, f.needsCausticMap},
-          {kSpecHasGlobalMap, f.needsGlobalMap},
-          {kSpecReadsCells, f.readsCells}};
+std::vector<gpu::Specialization> specializations(const FeatureSet& features) {
+  std::vector<gpu::Specialization> constants{{kSpecPixelFilter, features.pixelFilter}};
+  for (const FeatureEntry& entry : kFeatures)
+    if (entry.specialization != kNone) constants.push_back({entry.specialization, features.*entry.flag});
+  return constants;
+}
+
+std::vector<FeatureRow> describeFeatures(const Scene& scene, const RenderJob& job) {
+  const FeatureSet features = findFeatures(scene, job);
+  std::vector<FeatureRow> rows;
+  for (const FeatureEntry& entry : kFeatures) {
+    const bool isModelled = features.*entry.flag;
+    const bool isOut = entry.kind == FeatureKind::maps && job.integrator == Integrator::path;
+    rows.push_back({entry.name, isModelled,
+                    isModelled ? entry.with
+                    : isOut    ? "the path tracer reads no map"
+                               : entry.without});
+  }
+  return rows;
 }
 
 }  // namespace importon

@@ -1,5 +1,6 @@
 /// Which code and which passes a scene needs. Becomes specialization constants of the kernels.
 #pragma once
+#include <string>
 #include <vector>
 
 #include "gpu/kernel.h"
@@ -9,22 +10,13 @@
 
 namespace importon {
 
+/// What each is for stands in the table of feature_set.cpp.
 struct FeatureSet {
-  bool hasAlpha = false;
-  bool hasTextures = false;
-  bool hasNormalMaps = false;
-  bool hasVertexColors = false;
-  bool hasReflection = false;  // anything but Lambertian reflection
-  bool hasTransmission = false;
-  bool hasMedia = false;  // absorbing solids
-  bool hasClearcoat = false;
-  bool hasTriangleLights = false;
-  bool hasPunctualLights = false;
-  bool hasEnvironment = false;
-  uint pixelFilter = 0;          // kFilter*
-  bool needsCausticMap = false;  // a smooth reflecting or transmitting surface
-  bool readsCells = false;       // gather rays read surface cells, not photons
-  bool needsGlobalMap = false;   // light that comes from a surface that is no light
+  bool hasAlpha = false, hasTextures = false, hasNormalMaps = false, hasVertexColors = false, hasReflection = false,
+       hasTransmission = false, hasMedia = false, hasClearcoat = false, hasTriangleLights = false,
+       hasPunctualLights = false, hasEnvironment = false;
+  bool needsCausticMap = false, readsCells = false, needsGlobalMap = false;
+  uint pixelFilter = 0;  // kFilter*
 
   /// Photons of a kind are shot: into a map, or into surface cells.
   [[nodiscard]] bool needsPhotons(MapKind kind) const { return kind == MapKind::global || needsCausticMap; }
@@ -38,5 +30,14 @@ struct FeatureSet {
 
 /// The features as specialization constants (shaders/shared/features.h).
 [[nodiscard]] std::vector<gpu::Specialization> specializations(const FeatureSet& features);
+
+struct FeatureRow {
+  std::string name;
+  bool isModelled = false;
+  std::string why;
+};
+
+/// Every feature of the renderer, modelled or left out, in a fixed order.
+[[nodiscard]] std::vector<FeatureRow> describeFeatures(const Scene& scene, const RenderJob& job);
 
 }  // namespace importon

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "shared/bindings.h"
-#include "shared/push_data.h"
+#include "kernels/guide_learn.h"
 
 namespace importon {
 namespace {
@@ -62,14 +61,15 @@ void EmissionGuide::followDeficits(const Stage& stage, const ImportanceMap& impo
 }
 
 void EmissionGuide::train(const Stage& stage, const ImportanceMap& importance, float meanImportance) {
-  gpu::BindingTable table = stage.work.table;
-  importance.bind(table);
-  if (sites_) sites_->bind(table);
-  bind(table);
-  table.set(kBindingGuideSums, sums_);
-  overItems(stage, stage.kernels.guideLearn, table, kCounterSelected,
-            GuideLearnPush{kind_ == MapKind::global, stream_, bins_, meanImportance, hitsPerPass_,
-                           weight_ == GuideWeight::potential});
+  const kernels::GuideLearn::Push push{.isGlobal = kind_ == MapKind::global,
+                                       .stream = stream_,
+                                       .bins = bins_,
+                                       .meanImportance = meanImportance,
+                                       .hitsPerPass = hitsPerPass_,
+                                       .isPotential = weight_ == GuideWeight::potential};
+  const gpu::Buffer& hits = sites_ ? sites_->hits() : importance.hits;
+  overItems<kernels::GuideLearn>(stage, kCounterSelected, push, importon::buffers::ImportonHits{hits},
+                                 importance.buffers(), buffers(), importon::buffers::GuideSums{sums_});
 }
 
 void EmissionGuide::update() {
@@ -93,11 +93,6 @@ void EmissionGuide::upload(const std::vector<double>& cells) {
   sumUp(rowShares, std::accumulate(rowShares.begin(), rowShares.end(), 0.0), rows);
   rows_.upload(std::span<const float>(rows));
   columns_.upload(std::span<const float>(columns));
-}
-
-void EmissionGuide::bind(gpu::BindingTable& table) const {
-  table.set(kBindingGuideRows, rows_);
-  table.set(kBindingGuideColumns, columns_);
 }
 
 }  // namespace importon

@@ -10,6 +10,11 @@
 
 namespace importon {
 
+/// A guide as photons follow it.
+struct GuideBuffers {
+  const gpu::Buffer &guideRows, &guideColumns;
+};
+
 class EmissionGuide {
  public:
   /// With up to `bins` x `bins` cells per light; fewer for many lights. It starts with shares by power.
@@ -23,7 +28,7 @@ class EmissionGuide {
   void train(const Stage& stage, const ImportanceMap& importance, float meanImportance);
   /// Makes new shares from all that was learned so far; the photons to come follow them. The device is idle.
   void update();
-  void bind(gpu::BindingTable& table) const;
+  [[nodiscard]] GuideBuffers buffers() const { return {rows_, columns_}; }
 
   /// Purpose of the random stream: photons that follow new shares never repeat the numbers that trained it.
   [[nodiscard]] uint stream() const { return stream_; }

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "kernels/scatter_learn.h"
 #include "render/guiding/guide_pmf.h"
-#include "shared/push_data.h"
 
 namespace importon {
 namespace {
@@ -55,9 +55,7 @@ ScatterGuide::ScatterGuide(gpu::Context& context, const Parameters& parameters, 
 }
 
 void ScatterGuide::train(const Stage& stage) const {
-  gpu::BindingTable table = stage.work.table;
-  table.set(kBindingScatterSums, sums_);
-  overItems(stage, stage.kernels.scatterLearn, table, kCounterSelected, ScatterLearnPush{grid_});
+  overItems<kernels::ScatterLearn>(stage, kCounterSelected, {.guide = grid_}, buffers::ScatterSums{sums_});
 }
 
 void ScatterGuide::update() {

@@ -5,7 +5,6 @@
 
 #include "render/importance/site_hits.h"
 #include "render/render_job.h"
-#include "shared/bindings.h"
 
 namespace importon {
 
@@ -32,7 +31,7 @@ class ScatterGuide {
   void train(const Stage& stage) const;
   /// Makes shares of all that was learned. The device is idle.
   void update();
-  void bind(gpu::BindingTable& table) const { table.set(kBindingScatterGuide, cells_); }
+  [[nodiscard]] const gpu::Buffer& cells() const { return cells_; }
   [[nodiscard]] bool isPotential() const { return weight_ == GuideWeight::potential; }
   [[nodiscard]] const ScatterGrid& grid() const { return grid_; }
 

@@ -5,11 +5,17 @@
 #include <algorithm>
 #include <bit>
 
+#include "kernels/importon_bound.h"
+#include "kernels/importon_count.h"
+#include "kernels/importon_density.h"
+#include "kernels/importon_entries.h"
+#include "kernels/importon_key.h"
+#include "kernels/importon_level.h"
+#include "kernels/importon_points.h"
+#include "kernels/importon_resolve.h"
 #include "render/importance/importon_pass.h"
 #include "render/lists/lists.h"
 #include "render/lists/room.h"
-#include "shared/bindings.h"
-#include "shared/push_data.h"
 
 namespace importon {
 namespace {
@@ -25,13 +31,13 @@ void makeRoomForSites(const Stage& stage, ImportanceMap& map) {
 
 /// Selects the importons of `kind` and finds the grid levels at which their neighbours are searched.
 uint selectImportons(const Stage& stage, MapKind kind, const PointGrid& counts, uint nearest) {
-  gpu::BindingTable table = stage.work.table;
-  table.set(kBindingCellsOut, counts.cells);
+  const buffers::Counts countBuffer{counts.cells};
   selectRecords(stage, recordMask(kind));
   setCounter(stage, kCounterLevels, 0);
   stage.recorder.fill(counts.cells, 0);
-  overItems(stage, stage.kernels.importonCount, table, kCounterSelected, ImportonCountPush{counts.slotMask});
-  overItems(stage, stage.kernels.importonLevel, table, kCounterSelected, ImportonLevelPush{counts.slotMask, nearest});
+  overItems<kernels::ImportonCount>(stage, kCounterSelected, {.slotMask = counts.slotMask}, countBuffer);
+  overItems<kernels::ImportonLevel>(stage, kCounterSelected, {.slotMask = counts.slotMask, .nearest = nearest},
+                                    countBuffer, buffers::StartLevels{stage.work.neighbours});
   stage.recorder.submitAndWait();
   return readCounter(stage, kCounterLevels);
 }
@@ -44,19 +50,16 @@ void estimateImportance(const Stage& stage, uint levels, uint count, uint neares
                       gpu::TexelFormat::float1);
   setCounter(stage, kCounterEntries, static_cast<uint>(entries));
   reserveEntries(stage, entries);
-  gpu::BindingTable table = stage.work.table;
-  table.set(kBindingKeysOut, stage.work.keysA);
-  overItems(stage, stage.kernels.importonEntries, table, kCounterEntries, ImportonEntriesPush{grid.slotMask, levels});
+  overItems<kernels::ImportonEntries>(stage, kCounterEntries, {.slotMask = grid.slotMask, .levels = levels},
+                                      buffers::Keys{stage.work.keysA});
   sortIntoCells(stage, grid, kCounterEntries);
-  table.set(kBindingValuesIn, grid.order);
-  table.set(kBindingPointsOut, grid.points);
-  table.set(kBindingWeightsOut, weights);
-  overItems(stage, stage.kernels.importonPoints, table, kCounterEntries, ImportonPointsPush{levels});
-  bindStored(table, grid);
-  table.set(kBindingWeights, weights);
-  overItems(stage, stage.kernels.importonDensity, table, kCounterSites, ImportonDensityPush{levels, nearest});
+  overItems<kernels::ImportonPoints>(stage, kCounterEntries, {.levels = levels}, buffers::Order{grid.order},
+                                     buffers::PointsOut{grid.points}, buffers::Weights{weights});
+  overItems<kernels::ImportonDensity>(stage, kCounterSites, {.levels = levels, .nearest = nearest}, SearchedGrid(grid),
+                                      buffers::Weights{weights}, buffers::StartLevels{stage.work.neighbours});
   if (stage.work.hasDifferentials())
-    overItems(stage, stage.kernels.importonBound, table, kCounterSites, ImportonBoundPush{levels});
+    overItems<kernels::ImportonBound>(stage, kCounterSites, {.levels = levels}, SearchedGrid(grid),
+                                      buffers::Weights{weights});
   stage.recorder.submitAndWait();  // before the entries go
 }
 
@@ -74,18 +77,14 @@ void buildMap(const Stage& stage, ImportanceMap& map, MapKind kind, uint nearest
   estimateImportance(stage, map.levels, static_cast<uint>(map.count), nearest);
   setCounter(stage, kCounterLevels, 0);
   reserveEntries(stage, sites);
-  gpu::BindingTable table = stage.work.table;
-  table.set(kBindingKeysOut, stage.work.keysA);
-  overItems(stage, stage.kernels.importonKey, table, kCounterSites, ImportonKeyPush{map.grid.slotMask});
+  overItems<kernels::ImportonKey>(stage, kCounterSites, {.slotMask = map.grid.slotMask},
+                                  buffers::Keys{stage.work.keysA});
   buildGrid(stage, map.grid, kCounterSites, stage.work.selectedPoints);
-  table.set(kBindingValuesIn, map.grid.order);
-  table.set(kBindingWeightsOut, map.importance);
-  stage.recorder.dispatch(stage.kernels.importonResolve, table, sites);
-  if (stage.work.hasDifferentials()) {
-    table.set(kBindingRequired, stage.work.bounds);
-    table.set(kBindingWeightsOut, map.bound);
-    stage.recorder.dispatch(stage.kernels.importonResolve, table, sites);
-  }
+  const buffers::Order order{map.grid.order};
+  run<kernels::ImportonResolve>(stage, sites, {}, order, buffers::Importance{map.importance});
+  if (stage.work.hasDifferentials())
+    run<kernels::ImportonResolve>(stage, sites, {}, order, buffers::Required{stage.work.bounds},
+                                  buffers::Importance{map.bound});
   stage.recorder.submitAndWait();
   map.levels = readCounter(stage, kCounterLevels);
 }
@@ -102,13 +101,8 @@ ImportanceMap makeImportanceMap(gpu::Context& context, MapKind kind, std::uint64
   return map;
 }
 
-void ImportanceMap::bind(gpu::BindingTable& table) const {
-  table.set(kBindingImportonCells, grid.cells);
-  table.set(kBindingImportonPoints, grid.points);
-  table.set(kBindingImportance, importance);
-  table.set(kBindingImportanceBound, bound ? bound : importance);
-  table.set(kBindingImportonHits, hits);
-  table.set(kBindingImportonHitsOut, hits);
+ImportanceBuffers ImportanceMap::buffers() const {
+  return {grid.cells, grid.points, importance, bound ? bound : importance, hits};
 }
 
 std::vector<MapPoint> ImportanceMap::readPoints() const {

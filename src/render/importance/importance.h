@@ -7,6 +7,11 @@
 
 namespace importon {
 
+/// An importance map as kernels read it.
+struct ImportanceBuffers {
+  const gpu::Buffer &importonCells, &importonPoints, &importances, &importanceBounds, &importonHits;
+};
+
 /// One of every kImportonsPerSite importons in cells, with importance Γ (pixels/m²) from all of them at each.
 struct ImportanceMap {
   PointGrid grid;
@@ -16,7 +21,7 @@ struct ImportanceMap {
   uint levels = 0;          // grid levels in use, a bit each
   std::uint64_t count = 0;  // importons
 
-  void bind(gpu::BindingTable& table) const;
+  [[nodiscard]] ImportanceBuffers buffers() const;
   /// The sites, render space; each stands for kImportonsPerSite importons.
   [[nodiscard]] std::vector<MapPoint> readPoints() const;
   [[nodiscard]] std::uint64_t sites() const { return (count + kImportonsPerSite - 1) / kImportonsPerSite; }

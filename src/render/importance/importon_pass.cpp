@@ -3,25 +3,27 @@
 #include "render/lists/lists.h"
 #include "render/lists/path_queues.h"
 #include "render/lists/room.h"
-#include "shared/bindings.h"
 
 namespace importon {
 
 void traceImportons(const Stage& stage, const ImportanceMap& global, std::uint32_t count, uint maxDepth,
                     bool knowsImportance) {
-  gpu::BindingTable table = stage.work.table;
-  global.bind(table);
-  PathQueues queues =
-      startQueues(stage, stage.kernels.importonEmit, table, EyeEmitPush{0, count, count, 0, count, 0, 0});
+  const kernels::ImportonEmit::Push whole{.first = 0,
+                                          .count = count,
+                                          .pixels = count,
+                                          .firstSample = 0,
+                                          .total = count,
+                                          .isCentred = false,
+                                          .isPlanned = false};
+  PathQueues queues = startQueues<kernels::ImportonEmit>(stage, whole);
   RecordRoom room(stage, count);
   for (uint depth = 0; depth <= maxDepth && room.makeRoom(queues.counter, maxDepth - depth + 1); ++depth) {
-    table.set(kBindingQueue, *queues.now);
-    overRays(stage, stage.kernels.traceClosest, table, queues.counter, TracePush{queues.counter});
+    const buffers::Queue queue{*queues.now};
+    traceClosest(stage, queues.counter, queue);
     if (stage.work.hasDifferentials())
-      overItems(stage, stage.kernels.importonDifferential, table, queues.counter,
-                ImportonDifferentialPush{queues.counter});
-    overItems(stage, stage.kernels.importonScatter, table, queues.counter,
-              EyeScatterPush{queues.counter, knowsImportance});
+      overItems<kernels::ImportonFootprint>(stage, queues.counter, {.source = queues.counter}, queue);
+    overItems<kernels::ImportonScatter>(
+        stage, queues.counter, {.source = queues.counter, .knowsImportance = knowsImportance}, queue, global.buffers());
     compact(stage, queues.counter, queues.nextCounter, queues.now, *queues.next, kCounterRecords);
     queues.swap();
   }

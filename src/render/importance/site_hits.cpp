@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/hit_count.h"
+#include "kernels/site_ask.h"
 #include "render/importance/point_density.h"
-#include "shared/bindings.h"
-#include "shared/push_data.h"
 
 namespace importon {
 namespace {
@@ -56,26 +56,16 @@ SiteHits::SiteHits(gpu::Context& context, MapKind kind, const ImportanceMap& imp
   for (const auto& [code, site] : curve) order_.push_back(site);
 }
 
-void SiteHits::bind(gpu::BindingTable& table) const {
-  table.set(kBindingImportonHits, hits_);
-  table.set(kBindingImportonHitsOut, hits_);
-}
-
 void SiteHits::count(const Stage& stage) const {
-  gpu::BindingTable table = stage.work.table;
-  importance_.bind(table);
-  bind(table);
-  overItems(stage, stage.kernels.hitCount, table, kCounterSelected, HitCountPush{kind_ == MapKind::global, 1});
+  overItems<kernels::HitCount>(stage, kCounterSelected, {.isGlobal = kind_ == MapKind::global, .weight = 1},
+                               buffers::ImportonHits{hits_}, importance_.buffers());
 }
 
 SiteSupply SiteHits::supply(const Stage& stage, float passes) const {
   const std::uint64_t sites = importance_.sites();
   if (sites == 0) return {};
-  gpu::BindingTable table = stage.work.table;
-  importance_.bind(table);
-  table.set(kBindingWeightsOut, asked_);
-  stage.recorder.dispatch(stage.kernels.siteAsk, table, static_cast<uint>(sites),
-                          SiteAskPush{static_cast<uint>(sites), kind_ == MapKind::global});
+  run<kernels::SiteAsk>(stage, sites, {.count = static_cast<uint>(sites), .isGlobal = kind_ == MapKind::global},
+                        buffers::Asked{asked_}, importance_.buffers());
   stage.recorder.submitAndWait();
   std::vector<float> asked = asked_.download<float>(sites);
   for (float& hits : asked) hits /= passes;

@@ -36,8 +36,8 @@ class SiteHits {
 
   /// Counts the selected records of the workspace.
   void count(const Stage& stage) const;
-  /// Binds the counts in place of the importance map's own.
-  void bind(gpu::BindingTable& table) const;
+  /// To be read in place of the importance map's own.
+  [[nodiscard]] const gpu::Buffer& hits() const { return hits_; }
   /// By the hits so far of one pass, in a map that holds those of `passes`. Waits for the device.
   [[nodiscard]] SiteSupply supply(const Stage& stage, float passes) const;
 

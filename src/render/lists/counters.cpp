@@ -1,15 +1,16 @@
 #include "render/lists/counters.h"
 
-#include "shared/push_data.h"
+#include "kernels/add_counter.h"
+#include "kernels/set_counter.h"
 
 namespace importon {
 
 void setCounter(const Stage& stage, uint counter, uint value, uint a, uint b, uint limit) {
-  stage.recorder.dispatch(stage.kernels.setCounter, stage.work.table, 1, SetCounterPush{counter, value, a, b, limit});
+  run<kernels::SetCounter>(stage, 1, {.counter = counter, .value = value, .a = a, .b = b, .limit = limit});
 }
 
 void addCounter(const Stage& stage, uint counter, uint sum, bool empties) {
-  stage.recorder.dispatch(stage.kernels.addCounter, stage.work.table, 1, AddCounterPush{counter, sum, empties});
+  run<kernels::AddCounter>(stage, 1, {.counter = counter, .sum = sum, .empties = empties});
 }
 
 }  // namespace importon

@@ -1,34 +1,73 @@
 /// Counters in device memory, and dispatches over what they count.
 #pragma once
+#include <span>
+#include <type_traits>
+
+#include "render/device/kernel_variants.h"
 #include "render/device/workspace.h"
 
 namespace importon {
 
-/// Dispatches over what `counter` counts: one invocation per item, or per tile of kTileSize items, or as many as
-/// trace a queue of rays.
+namespace buffers = kernels::buffers;
+
+/// Push constants as bytes.
 template <class Push>
-void overItems(const Stage& stage, const gpu::Kernel& kernel, const gpu::BindingTable& table, uint counter,
-               const Push& push) {
-  stage.recorder.dispatchIndirect(kernel, table, stage.work.dispatches, counter * sizeof(DispatchArguments), push);
+[[nodiscard]] std::span<const std::byte> bytesOf(const Push& push) {
+  if constexpr (std::is_empty_v<Push>)
+    return {};
+  else
+    return std::as_bytes(std::span(&push, 1));
 }
-inline void overItems(const Stage& stage, const gpu::Kernel& kernel, const gpu::BindingTable& table, uint counter) {
-  stage.recorder.dispatchIndirect(kernel, table, stage.work.dispatches, counter * sizeof(DispatchArguments));
+
+/// The buffers that a kernel takes: each from the first that has one of its name, of `owners`, the workspace and the
+/// scene.
+template <class Call, class... Owners>
+[[nodiscard]] auto buffersOf(const Stage& stage, const Owners&... owners) {
+  return Call::buffers(owners..., stage.work, stage.work.cells, stage.work.standIns, stage.scene);
 }
-template <class Push>
-void overTiles(const Stage& stage, const gpu::Kernel& kernel, const gpu::BindingTable& table, uint counter,
-               const Push& push) {
-  stage.recorder.dispatchIndirect(kernel, table, stage.work.dispatches,
-                                  counter * sizeof(DispatchArguments) + offsetof(DispatchArguments, tiles), push);
+
+/// Runs a kernel in `invocations`.
+template <class Call, class... Owners>
+void run(const Stage& stage, std::uint64_t invocations, const typename Call::Push& push, const Owners&... owners) {
+  stage.recorder.dispatch(stage.kernels.get<Call>(), buffersOf<Call>(stage, owners...), invocations, bytesOf(push));
 }
-inline void overTiles(const Stage& stage, const gpu::Kernel& kernel, const gpu::BindingTable& table, uint counter) {
-  stage.recorder.dispatchIndirect(kernel, table, stage.work.dispatches,
-                                  counter * sizeof(DispatchArguments) + offsetof(DispatchArguments, tiles));
+
+/// The same with as many workgroups as stand `offset` bytes into the dispatch arguments of what `counter` counts.
+template <class Call, class... Owners>
+void runOver(const Stage& stage, uint counter, std::size_t offset, const typename Call::Push& push,
+             const Owners&... owners) {
+  stage.recorder.dispatchIndirect(stage.kernels.get<Call>(), buffersOf<Call>(stage, owners...), stage.work.dispatches,
+                                  counter * sizeof(DispatchArguments) + offset, bytesOf(push));
 }
-template <class Push>
-void overRays(const Stage& stage, const gpu::Kernel& kernel, const gpu::BindingTable& table, uint counter,
-              const Push& push) {
-  stage.recorder.dispatchIndirect(kernel, table, stage.work.dispatches,
-                                  counter * sizeof(DispatchArguments) + offsetof(DispatchArguments, rays), push);
+
+/// Over what `counter` counts: one invocation per item, or per tile of kTileSize items, or as many as trace a queue of
+/// rays.
+template <class Call, class... Owners>
+void overItems(const Stage& stage, uint counter, const typename Call::Push& push, const Owners&... owners) {
+  runOver<Call>(stage, counter, offsetof(DispatchArguments, items), push, owners...);
+}
+template <class Call, class... Owners>
+void overTiles(const Stage& stage, uint counter, const typename Call::Push& push, const Owners&... owners) {
+  runOver<Call>(stage, counter, offsetof(DispatchArguments, tiles), push, owners...);
+}
+
+/// Traces the rays of a queue, the workspace's unless `owners` have others, to their nearest hits.
+template <class... Owners>
+void traceClosest(const Stage& stage, uint counter, const Owners&... owners) {
+  constexpr std::size_t kRays = offsetof(DispatchArguments, rays);
+  if (stage.kernels.hasAlpha())
+    runOver<kernels::TraceClosestAlpha>(stage, counter, kRays, {.source = counter}, owners...);
+  else
+    runOver<kernels::TraceClosest>(stage, counter, kRays, {.source = counter}, owners...);
+}
+/// To anything in their way.
+template <class... Owners>
+void traceShadow(const Stage& stage, uint counter, const Owners&... owners) {
+  constexpr std::size_t kRays = offsetof(DispatchArguments, rays);
+  if (stage.kernels.hasAlpha())
+    runOver<kernels::TraceShadowAlpha>(stage, counter, kRays, {.source = counter}, owners...);
+  else
+    runOver<kernels::TraceShadow>(stage, counter, kRays, {.source = counter}, owners...);
 }
 
 /// counters[counter] = min(value + counters[a] + counters[b], limit)

@@ -1,11 +1,12 @@
 /// The two queues between which paths from the camera go to and fro, event by event.
 #pragma once
 #include "render/lists/counters.h"
-#include "shared/push_data.h"
 
 namespace importon {
 
 struct PathQueues {
+  explicit PathQueues(const Workspace& work) : now(&work.queueA), next(&work.queueB) {}
+
   const gpu::Buffer* now;
   const gpu::Buffer* next;
   uint counter = kCounterQueueA;
@@ -16,7 +17,13 @@ struct PathQueues {
   }
 };
 
-/// Fills the first queue by `emit`, of the image's paths or of importons, and binds it.
-PathQueues startQueues(const Stage& stage, const gpu::Kernel& emit, gpu::BindingTable& table, const EyeEmitPush& push);
+/// Fills the first queue by the kernel of `Call`, of the image's paths or of importons.
+template <class Call, class... Owners>
+PathQueues startQueues(const Stage& stage, const typename Call::Push& push, const Owners&... owners) {
+  PathQueues queues(stage.work);
+  setCounter(stage, kCounterQueueA, push.count);
+  run<Call>(stage, push.count, push, buffers::Queue{*queues.now}, owners...);
+  return queues;
+}
 
 }  // namespace importon

@@ -4,9 +4,9 @@
 #include <bit>
 #include <string>
 
+#include "kernels/grid_cells.h"
+#include "kernels/grid_points.h"
 #include "render/lists/lists.h"
-#include "shared/bindings.h"
-#include "shared/push_data.h"
 
 namespace importon {
 namespace {
@@ -28,26 +28,15 @@ uint PointGrid::slotBits() const { return static_cast<uint>(std::popcount(slotMa
 
 void sortIntoCells(const Stage& stage, PointGrid& grid, uint source) {
   const gpu::Buffer& sortedKeys = sortByKey(stage, source, grid.slotBits(), grid.order);
-  gpu::BindingTable table = stage.work.table;
-  table.set(kBindingKeysIn, sortedKeys);
-  table.set(kBindingCellsOut, grid.cells);
   stage.recorder.fill(grid.cells, 0);
-  overItems(stage, stage.kernels.gridCells, table, source, GridCellsPush{source, grid.slotMask});
+  overItems<kernels::GridCells>(stage, source, {.source = source, .slotMask = grid.slotMask}, buffers::Keys{sortedKeys},
+                                buffers::Cells{grid.cells});
 }
 
 void buildGrid(const Stage& stage, PointGrid& grid, uint source, const gpu::Buffer& points) {
   sortIntoCells(stage, grid, source);
-  gpu::BindingTable table = stage.work.table;
-  table.set(kBindingPoints, points);
-  table.set(kBindingValuesIn, grid.order);
-  table.set(kBindingPointsOut, grid.points);
-  overItems(stage, stage.kernels.gridPoints, table, source, GridPointsPush{source});
-}
-
-void bindStored(gpu::BindingTable& table, const PointGrid& grid) {
-  table.set(kBindingStoredCells, grid.cells);
-  table.set(kBindingStoredPoints, grid.points);
-  table.set(kBindingStoredOrder, grid.order);
+  overItems<kernels::GridPoints>(stage, source, {.source = source}, buffers::Points{points}, buffers::Order{grid.order},
+                                 buffers::PointsOut{grid.points});
 }
 
 }  // namespace importon

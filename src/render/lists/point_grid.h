@@ -32,7 +32,11 @@ void buildGrid(const Stage& stage, PointGrid& grid, uint source, const gpu::Buff
 /// The first two steps of buildGrid: order and cells, without the points.
 void sortIntoCells(const Stage& stage, PointGrid& grid, uint source);
 
-/// Binds `grid` as the one that lib/grid_search.glsl searches.
-void bindStored(gpu::BindingTable& table, const PointGrid& grid);
+/// A grid as the one that lib/grid_search.glsl searches.
+struct SearchedGrid {
+  explicit SearchedGrid(const PointGrid& grid)
+      : storedCells(grid.cells), storedPoints(grid.points), storedOrder(grid.order) {}
+  const gpu::Buffer &storedCells, &storedPoints, &storedOrder;
+};
 
 }  // namespace importon

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "shared/bindings.h"
-#include "shared/push_data.h"
+#include "kernels/pilot_count.h"
 
 namespace importon {
 
@@ -15,12 +14,8 @@ ExpectedDensity::ExpectedDensity(gpu::Context& context, MapKind kind, std::uint6
 void ExpectedDensity::count(const Stage& stage, const ImportanceMap& importance) {
   if (!isCleared_) stage.recorder.fill(cells_, kNone);
   isCleared_ = true;
-  gpu::BindingTable table = stage.work.table;
-  importance.bind(table);
-  bind(table);
-  overItems(stage, stage.kernels.pilotCount, table, kCounterSelected, PilotCountPush{kind_ == MapKind::global});
+  overItems<kernels::PilotCount>(stage, kCounterSelected, {.isGlobal = kind_ == MapKind::global}, importance.buffers(),
+                                 buffers::PhotonCells{cells_});
 }
-
-void ExpectedDensity::bind(gpu::BindingTable& table) const { table.set(kBindingPhotonCells, cells_); }
 
 }  // namespace importon

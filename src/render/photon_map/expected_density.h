@@ -12,7 +12,7 @@ class ExpectedDensity {
 
   /// Counts the selected records of the workspace. Over all batches there must be a pass's photons.
   void count(const Stage& stage, const ImportanceMap& importance);
-  void bind(gpu::BindingTable& table) const;
+  [[nodiscard]] const gpu::Buffer& cells() const { return cells_; }
   /// Device memory.
   [[nodiscard]] std::uint64_t bytes() const { return cells_.allocatedBytes(); }
 

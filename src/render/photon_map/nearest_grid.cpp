@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <bit>
 
+#include "kernels/photon_entries.h"
+#include "kernels/photon_entry_points.h"
 #include "render/lists/room.h"
-#include "shared/bindings.h"
 
 namespace importon {
 namespace {
@@ -37,21 +38,12 @@ NearestGrid::NearestGrid(const Stage& stage, const StoredPhotons& photons, uint 
   flux_ = gpu::Buffer(stage.gpu, "flux of nearest photons", entries * sizeof(uvec2), gpu::TexelFormat::uint2);
   setCounter(stage, kCounterEntries, entries);
   reserveEntries(stage, entries);
-  gpu::BindingTable table = stage.work.table;
-  photons.bind(table);
-  table.set(kBindingKeysOut, stage.work.keysA);
-  const PhotonEntriesPush push{grid_.slotMask, levels_};
-  overItems(stage, stage.kernels.photonEntries, table, kCounterEntries, push);
+  overItems<kernels::PhotonEntries>(stage, kCounterEntries, {.slotMask = grid_.slotMask, .levels = levels_},
+                                    photons.buffers(), importon::buffers::Keys{stage.work.keysA});
   sortIntoCells(stage, grid_, kCounterEntries);
-  table.set(kBindingValuesIn, grid_.order);
-  table.set(kBindingPointsOut, grid_.points);
-  table.set(kBindingWeightsOut, flux_);
-  overItems(stage, stage.kernels.photonEntryPoints, table, kCounterEntries, push);
-}
-
-void NearestGrid::bind(gpu::BindingTable& table) const {
-  bindStored(table, grid_);
-  table.set(kBindingMapFlux, flux_);
+  overItems<kernels::PhotonEntryPoints>(stage, kCounterEntries, {.slotMask = grid_.slotMask, .levels = levels_},
+                                        photons.buffers(), importon::buffers::Order{grid_.order},
+                                        importon::buffers::PointsOut{grid_.points}, importon::buffers::MapFlux{flux_});
 }
 
 }  // namespace importon

@@ -1,7 +1,6 @@
 /// The photons of a map in a grid in which the nearest ones are found at any density.
 #pragma once
 #include "render/photon_map/stored_photons.h"
-#include "shared/push_data.h"
 
 namespace importon {
 
@@ -11,10 +10,9 @@ class NearestGrid {
   /// Of all photons that kCounterStored counts, for lookups of the `nearest` ones. Waits for the device.
   NearestGrid(const Stage& stage, const StoredPhotons& photons, uint nearest);
   [[nodiscard]] bool isEmpty() const { return levels_ == 0; }
-  void bind(gpu::BindingTable& table) const;
-  [[nodiscard]] MapNearestPush push(uint source, MapKind kind) const {
-    return {source, kind == MapKind::global, levels_, nearest_};
-  }
+  [[nodiscard]] uint levels() const { return levels_; }
+  [[nodiscard]] uint nearest() const { return nearest_; }
+  [[nodiscard]] MapBuffers buffers() const { return {SearchedGrid(grid_), flux_}; }
   [[nodiscard]] std::uint64_t bytes() const { return grid_.bytes() + flux_.allocatedBytes(); }
 
  private:

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 
+#include "kernels/flux_sum.h"
+#include "kernels/irradiance_estimate.h"
+#include "kernels/map_irradiance.h"
+#include "kernels/map_lookup.h"
+#include "kernels/map_nearest.h"
+#include "kernels/photon_resolve.h"
 #include "render/lists/lists.h"
 #include "render/lists/room.h"
-#include "shared/bindings.h"
-#include "shared/push_data.h"
 
 namespace importon {
 
@@ -21,25 +25,22 @@ void PhotonMap::begin(const Stage& stage) {
 }
 
 void PhotonMap::addBatch(const Stage& stage, const ImportanceMap& importance, const StorageRule& rule) {
-  gpu::BindingTable table = stage.work.table;
-  importance.bind(table);
-  photons_.bind(table);
-  table.set(kBindingKeysOut, stage.work.keysA);
   setCounter(stage, kCounterStored, 0, photons_.counter(kMapStored));
   setCounter(stage, kCounterOverflow, 0, photons_.counter(kMapOverflow));
   setCounter(stage, kCounterLevels, 0);
 
   selectRecords(stage, recordMask(photons_.kind()));
-  overTiles(stage, stage.kernels.fluxSum, table, kCounterSelected, FluxSumPush{kSumHits, kCounterSelected});
+  overTiles<kernels::FluxSum>(stage, kCounterSelected, {.what = kSumHits, .source = kCounterSelected},
+                              photons_.buffers());
   isThinned_ = rule.control == DensityControl::probability;
   if (isThinned_)
-    storeByProbability(stage, table, photons_, rule);
+    storeByProbability(stage, photons_, importance, rule);
   else if (rule.control == DensityControl::off)
-    storeAll(stage, table, photons_);
+    storeAll(stage, photons_, importance);
   else if (rule.receivers == 0)
-    byCells_.control(stage, table, photons_);
+    byCells_.control(stage, photons_, importance);
   else
-    byQuota_.control(stage, table, photons_, grid_, importance, rule);
+    byQuota_.control(stage, photons_, grid_, importance, rule);
   setCounter(stage, photons_.counter(kMapStored), 0, kCounterStored);
   setCounter(stage, photons_.counter(kMapOverflow), 0, kCounterOverflow);
   addCounter(stage, kCounterSelected, photons_.counter(kMapHits));
@@ -50,12 +51,9 @@ void PhotonMap::finish(const Stage& stage, const ImportanceMap& importance, uint
   photons_.sortInto(stage, grid_, importance, true);
   if (mapFlux_.bytes() < grid_.room() * sizeof(uvec2)) resize(stage, mapFlux_, grid_.room() * sizeof(uvec2));
   setCounter(stage, levelsCounter(), 0, kCounterStoredLevels);
-  gpu::BindingTable table = stage.work.table;
-  photons_.bind(table);
-  table.set(kBindingValuesIn, grid_.order);
-  table.set(kBindingPointsOut, mapFlux_);
-  overTiles(stage, stage.kernels.fluxSum, table, kCounterStored, FluxSumPush{kSumMap, kCounterStored});
-  overItems(stage, stage.kernels.photonResolve, table, kCounterStored);
+  overTiles<kernels::FluxSum>(stage, kCounterStored, {.what = kSumMap, .source = kCounterStored}, photons_.buffers());
+  overItems<kernels::PhotonResolve>(stage, kCounterStored, {}, photons_.buffers(), buffers::Order{grid_.order},
+                                    buffers::MapFlux{mapFlux_});
   if (nearest == 0) return;
   nearest_.reset();  // its memory is needed
   nearest_.emplace(stage, photons_, nearest);
@@ -68,38 +66,35 @@ void PhotonMap::estimateIrradiance(const Stage& stage, const ImportanceMap& impo
     irradiance_ = gpu::Buffer(stage.gpu, "irradiance", points * sizeof(uvec2), TexelFormat::uint2);
   }
   isIrradianceAtPhotons_ = atPhotons;
-  gpu::BindingTable table = stage.work.table;
-  importance.bind(table);
-  bindFinished(table);
-  table.set(kBindingPoints, atPhotons ? grid_.points : importance.grid.points);
-  table.set(kBindingPointsOut, irradiance_);
-  const IrradianceEstimatePush push{static_cast<uint>(points), photons_.kind() == MapKind::global, atPhotons,
-                                    levelsCounter()};
+  const kernels::IrradianceEstimate::Push push{.count = static_cast<uint>(points),
+                                               .isGlobal = photons_.kind() == MapKind::global,
+                                               .arePhotons = atPhotons,
+                                               .levels = levelsCounter()};
+  const buffers::Points at{atPhotons ? grid_.points : importance.grid.points};
+  const buffers::Irradiance to{irradiance_};
   if (atPhotons)
-    overItems(stage, stage.kernels.irradianceEstimate, table, kCounterStored, push);
+    overItems<kernels::IrradianceEstimate>(stage, kCounterStored, push, at, to, importance.buffers(), finished());
   else
-    stage.recorder.dispatch(stage.kernels.irradianceEstimate, table, push.count, push);
+    run<kernels::IrradianceEstimate>(stage, push.count, push, at, to, importance.buffers(), finished());
 }
 
-void PhotonMap::bindIrradiance(gpu::BindingTable& table) const {
-  bindStored(table, grid_);
-  table.set(kBindingMapFlux, irradiance_);
-}
-
-MapIrradiancePush PhotonMap::irradiancePush(uint source) const {
-  return {source, photons_.kind() == MapKind::global, isIrradianceAtPhotons_, levelsCounter()};
-}
-
-void PhotonMap::bindNearest(gpu::BindingTable& table) const {
-  if (nearest_->isEmpty())
-    bindFinished(table);
+void PhotonMap::lookUp(const Stage& stage, const ImportanceMap& importance, uint source,
+                       const gpu::Buffer& slots) const {
+  const uint isGlobal = photons_.kind() == MapKind::global;
+  const buffers::Queue queue{slots};
+  if (irradiance_.bytes() > 0)
+    overItems<kernels::MapIrradiance>(
+        stage, source,
+        {.source = source, .isGlobal = isGlobal, .arePhotons = isIrradianceAtPhotons_, .levels = levelsCounter()},
+        queue, importance.buffers(), SearchedGrid(grid_), buffers::Irradiance{irradiance_});
+  if (nearest_)
+    overItems<kernels::MapNearest>(
+        stage, source,
+        {.source = source, .isGlobal = isGlobal, .levels = nearest_->levels(), .nearest = nearest_->nearest()}, queue,
+        importance.buffers(), nearest_->isEmpty() ? finished() : nearest_->buffers());
   else
-    nearest_->bind(table);
-}
-
-void PhotonMap::bindFinished(gpu::BindingTable& table) const {
-  bindStored(table, grid_);
-  table.set(kBindingMapFlux, mapFlux_);
+    overItems<kernels::MapLookup>(stage, source, {.source = source, .isGlobal = isGlobal, .levels = levelsCounter()},
+                                  queue, importance.buffers(), finished());
 }
 
 PhotonMapCounts PhotonMap::readCounts(const Stage& stage, float fluxScale) const {

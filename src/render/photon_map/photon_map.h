@@ -36,16 +36,11 @@ class PhotonMap {
 
   /// False before the first pass: there is nothing to read.
   [[nodiscard]] bool isFinished() const { return static_cast<bool>(grid_.points); }
-  /// True if the finished map is read by the nearest photons, by map_nearest; and that kernel's bindings.
-  [[nodiscard]] bool isReadByNearest() const { return nearest_.has_value(); }
-  void bindNearest(gpu::BindingTable& table) const;
-  [[nodiscard]] MapNearestPush nearestPush(uint source) const { return nearest_->push(source, photons_.kind()); }
-  /// True if it has irradiance, read by map_irradiance; and that kernel's bindings.
-  [[nodiscard]] bool hasIrradiance() const { return irradiance_.bytes() > 0; }
-  void bindIrradiance(gpu::BindingTable& table) const;
-  [[nodiscard]] MapIrradiancePush irradiancePush(uint source) const;
-  /// Binds the finished map for map_lookup.
-  void bindFinished(gpu::BindingTable& table) const;
+  /// Adds the finished map's light to the paths whose slots `slots` has, as many as the counter `source` counts; by
+  /// precomputed irradiance or by the nearest photons if it has been finished so.
+  void lookUp(const Stage& stage, const ImportanceMap& importance, uint source, const gpu::Buffer& slots) const;
+  /// The finished map, for lookups by radius.
+  [[nodiscard]] MapBuffers finished() const { return {SearchedGrid(grid_), mapFlux_}; }
   /// Number of the counter that has the finished map's grid levels.
   [[nodiscard]] uint levelsCounter() const { return photons_.counter(kMapLevels); }
 

@@ -2,9 +2,17 @@
 
 #include <algorithm>
 
+#include "kernels/cell_add.h"
+#include "kernels/cell_claim.h"
+#include "kernels/cell_find.h"
+#include "kernels/cell_move.h"
+#include "kernels/cell_settle.h"
+#include "kernels/flux_sum.h"
+#include "kernels/hit_key.h"
+#include "kernels/photon_quota.h"
+#include "kernels/photon_redistribute.h"
+#include "kernels/photon_thin.h"
 #include "render/lists/room.h"
-#include "shared/bindings.h"
-#include "shared/push_data.h"
 
 namespace importon {
 
@@ -22,71 +30,74 @@ void StorageByCells::makeRoom(const Stage& stage, std::uint64_t cells, const Sto
   cells_ = gpu::Buffer(stage.gpu, "photon cells", roomFor(slotsFor(cells), most) * sizeof(PhotonCell));
   stage.recorder.fill(cells_, kNone);
   if (photons.count() == 0) return;
-  gpu::BindingTable table = stage.work.table;
-  table.set(kBindingPhotonCells, cells_);
-  table.set(kBindingOldPhotonCells, old);
-  stage.recorder.dispatch(stage.kernels.cellMove, table, slots);
+  run<kernels::CellMove>(stage, slots, {}, buffers::PhotonCells{cells_}, buffers::OldCells{old});
   stage.recorder.submitAndWait();  // before the old ones go
 }
 
-void StorageByCells::control(const Stage& stage, gpu::BindingTable& table, StoredPhotons& photons) {
+void StorageByCells::control(const Stage& stage, StoredPhotons& photons, const ImportanceMap& importance) {
   stage.recorder.submitAndWait();
   makeRoom(stage, photons.count() + readCounter(stage, kCounterSelected), photons);
-  const KernelSet& kernels = stage.kernels;
-  table.set(kBindingPhotonCells, cells_);
-  overItems(stage, kernels.cellFind, table, kCounterSelected, CellFindPush{photons.kind() == MapKind::global});
-  overItems(stage, kernels.cellClaim, table, kCounterSelected);
-  photons.store(stage, table);
-  overItems(stage, kernels.cellSettle, table, kCounterAccepted, CellSettlePush{static_cast<uint>(photons.capacity())});
-  overItems(stage, kernels.cellAdd, table, kCounterSelected);
+  const buffers::PhotonCells cells{cells_};
+  const buffers::Homes homes{stage.work.neighbours};
+  overItems<kernels::CellFind>(stage, kCounterSelected, {.isGlobal = photons.kind() == MapKind::global}, cells, homes,
+                               importance.buffers());
+  overItems<kernels::CellClaim>(stage, kCounterSelected, {}, cells, homes);
+  photons.store(stage);
+  overItems<kernels::CellSettle>(stage, kCounterAccepted, {.capacity = static_cast<uint>(photons.capacity())}, cells,
+                                 homes);
+  overItems<kernels::CellAdd>(stage, kCounterSelected, {}, cells, homes, photons.buffers());
   photons.countStored(stage);
 }
 
-void StorageByQuota::control(const Stage& stage, gpu::BindingTable& table, StoredPhotons& photons, PointGrid& grid,
+void StorageByQuota::control(const Stage& stage, StoredPhotons& photons, PointGrid& grid,
                              const ImportanceMap& importance, const StorageRule& rule) {
-  const KernelSet& kernels = stage.kernels;
   if (isGridOld_) photons.sortInto(stage, grid, importance, false);
   stage.recorder.submitAndWait();
   const uint hits = readCounter(stage, kCounterSelected);
   makeRoomIn(stage, batch_, "batch", hits, stage.work.size.records);
   reserveEntries(stage, hits);
-  overItems(stage, kernels.hitKey, table, kCounterSelected,
-            HitKeyPush{photons.kind() == MapKind::global, batch_.slotMask, true});
+  overItems<kernels::HitKey>(
+      stage, kCounterSelected,
+      {.isGlobal = photons.kind() == MapKind::global, .slotMask = batch_.slotMask, .isControlled = true},
+      importance.buffers(), buffers::Keys{stage.work.keysA});
   buildGrid(stage, batch_, kCounterSelected, stage.work.selectedPoints);
-  table.set(kBindingValuesIn, batch_.order);
-  if (hasStored_) {
-    bindStored(table, grid);
-    overItems(stage, kernels.photonQuota, table, kCounterSelected, PhotonQuotaPush{0, 0, rule.acceptance, rule.fewest});
-  }
-  bindStored(table, batch_);
-  overItems(stage, kernels.photonQuota, table, kCounterSelected,
-            PhotonQuotaPush{1, hasStored_, rule.acceptance, rule.fewest});
-  photons.store(stage, table);
+  const auto compareWithQuota = [&](const PointGrid& among, bool isBatch) {
+    overItems<kernels::PhotonQuota>(
+        stage, kCounterSelected,
+        {.isBatch = isBatch, .hasStored = isBatch && hasStored_, .acceptance = rule.acceptance, .fewest = rule.fewest},
+        SearchedGrid(among), buffers::Order{batch_.order}, importance.buffers());
+  };
+  if (hasStored_) compareWithQuota(grid, false);
+  compareWithQuota(batch_, true);
+  photons.store(stage);
   photons.countStored(stage);
   photons.sortInto(stage, grid, importance, false);
-  bindStored(table, grid);
-  overItems(stage, kernels.photonRedistribute, table, kCounterSelected,
-            PhotonRedistributePush{rule.receivers, rule.shares});
+  overItems<kernels::PhotonRedistribute>(stage, kCounterSelected, {.receivers = rule.receivers, .shares = rule.shares},
+                                         SearchedGrid(grid), photons.buffers(), importance.buffers());
   const std::uint64_t inGrid = photons.count();
-  photons.store(stage, table);  // those without a receiver
+  photons.store(stage);  // those without a receiver
   photons.countStored(stage);
   isGridOld_ = photons.count() > inGrid;
   hasStored_ = true;
 }
 
-void storeByProbability(const Stage& stage, gpu::BindingTable& table, StoredPhotons& photons, const StorageRule& rule) {
-  rule.expected->bind(table);
-  overItems(stage, stage.kernels.photonThin, table, kCounterSelected,
-            PhotonThinPush{photons.kind() == MapKind::global, rule.probabilityFloor});
-  overTiles(stage, stage.kernels.fluxSum, table, kCounterSelected, FluxSumPush{kSumKept, kCounterSelected});
-  photons.store(stage, table, true);
+void storeByProbability(const Stage& stage, StoredPhotons& photons, const ImportanceMap& importance,
+                        const StorageRule& rule) {
+  overItems<kernels::PhotonThin>(
+      stage, kCounterSelected,
+      {.isGlobal = photons.kind() == MapKind::global, .floorProbability = rule.probabilityFloor}, importance.buffers(),
+      buffers::PhotonCells{rule.expected->cells()});
+  overTiles<kernels::FluxSum>(stage, kCounterSelected, {.what = kSumKept, .source = kCounterSelected},
+                              photons.buffers());
+  photons.store(stage, true);
   photons.countStored(stage);
 }
 
-void storeAll(const Stage& stage, gpu::BindingTable& table, StoredPhotons& photons) {
-  overItems(stage, stage.kernels.hitKey, table, kCounterSelected,
-            HitKeyPush{photons.kind() == MapKind::global, 0, false});
-  photons.store(stage, table);
+void storeAll(const Stage& stage, StoredPhotons& photons, const ImportanceMap& importance) {
+  overItems<kernels::HitKey>(stage, kCounterSelected,
+                             {.isGlobal = photons.kind() == MapKind::global, .slotMask = 0, .isControlled = false},
+                             importance.buffers(), buffers::Keys{stage.work.keysA});
+  photons.store(stage);
   photons.countStored(stage);
 }
 

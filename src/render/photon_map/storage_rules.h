@@ -10,7 +10,7 @@ namespace importon {
 class StorageByCells {
  public:
   void clear(const Stage& stage);
-  void control(const Stage& stage, gpu::BindingTable& table, StoredPhotons& photons);
+  void control(const Stage& stage, StoredPhotons& photons, const ImportanceMap& importance);
   [[nodiscard]] std::uint64_t bytes() const { return cells_.allocatedBytes(); }
 
  private:
@@ -25,8 +25,8 @@ class StorageByQuota {
  public:
   void clear() { hasStored_ = isGridOld_ = false; }
   /// `grid`: of the photons that are stored.
-  void control(const Stage& stage, gpu::BindingTable& table, StoredPhotons& photons, PointGrid& grid,
-               const ImportanceMap& importance, const StorageRule& rule);
+  void control(const Stage& stage, StoredPhotons& photons, PointGrid& grid, const ImportanceMap& importance,
+               const StorageRule& rule);
   [[nodiscard]] std::uint64_t bytes() const { return batch_.bytes(); }
 
  private:
@@ -37,9 +37,10 @@ class StorageByQuota {
 
 /// Each hit is stored with the probability that brings the density expected of them to the required one, and with as
 /// much more power. [Keller and Wald 2000]
-void storeByProbability(const Stage& stage, gpu::BindingTable& table, StoredPhotons& photons, const StorageRule& rule);
+void storeByProbability(const Stage& stage, StoredPhotons& photons, const ImportanceMap& importance,
+                        const StorageRule& rule);
 
 /// All hits are stored.
-void storeAll(const Stage& stage, gpu::BindingTable& table, StoredPhotons& photons);
+void storeAll(const Stage& stage, StoredPhotons& photons, const ImportanceMap& importance);
 
 }  // namespace importon

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "kernels/photon_key.h"
+#include "kernels/photon_store.h"
 #include "render/lists/lists.h"
 #include "render/lists/room.h"
-#include "shared/bindings.h"
-#include "shared/push_data.h"
 
 namespace importon {
 namespace {
@@ -31,12 +31,6 @@ void StoredPhotons::clear(const Stage& stage) {
   count_ = 0;
 }
 
-void StoredPhotons::bind(gpu::BindingTable& table) const {
-  table.set(kBindingPhotonPoints, points_);
-  table.set(kBindingPhotonFlux, flux_);
-  table.set(kBindingTotals, totals_);
-}
-
 void StoredPhotons::makeRoom(const Stage& stage, std::uint64_t photons) {
   if (photons <= points_.bytes() / sizeof(MapPoint)) return;
   const std::uint64_t room = roomFor(photons, capacity_);
@@ -44,15 +38,14 @@ void StoredPhotons::makeRoom(const Stage& stage, std::uint64_t photons) {
   resize(stage, flux_, room * kFluxBytes, count_ * kFluxBytes);
 }
 
-void StoredPhotons::store(const Stage& stage, gpu::BindingTable& table, bool isWeighted) {
+void StoredPhotons::store(const Stage& stage, bool isWeighted) {
   compact(stage, kCounterSelected, kCounterAccepted, nullptr, stage.work.accepted);
   stage.recorder.submitAndWait();
   const std::uint64_t stored = std::min(count_ + readCounter(stage, kCounterAccepted), capacity_);
   makeRoom(stage, stored);
   count_ = stored;
-  table.set(kBindingNextQueue, stage.work.accepted);
-  overItems(stage, stage.kernels.photonStore, table, kCounterAccepted,
-            PhotonStorePush{static_cast<uint>(capacity_), isWeighted});
+  overItems<kernels::PhotonStore>(stage, kCounterAccepted,
+                                  {.capacity = static_cast<uint>(capacity_), .isWeighted = isWeighted}, buffers());
 }
 
 void StoredPhotons::countStored(const Stage& stage) const {
@@ -63,13 +56,11 @@ void StoredPhotons::sortInto(const Stage& stage, PointGrid& grid, const Importan
                              bool isFinished) const {
   makeRoomIn(stage, grid, "stored photons", count_, capacity_);
   reserveEntries(stage, count_);
-  gpu::BindingTable table = stage.work.table;
-  importance.bind(table);
-  bind(table);
-  table.set(kBindingKeysOut, stage.work.keysA);
   setCounter(stage, kCounterStoredLevels, 0);
-  overItems(stage, stage.kernels.photonKey, table, kCounterStored,
-            PhotonKeyPush{isFinished, kind_ == MapKind::global, grid.slotMask});
+  overItems<kernels::PhotonKey>(
+      stage, kCounterStored,
+      {.isFinished = isFinished, .isGlobal = kind_ == MapKind::global, .slotMask = grid.slotMask}, buffers(),
+      importance.buffers(), importon::buffers::Keys{stage.work.keysA});
   buildGrid(stage, grid, kCounterStored, points_);
 }
 

@@ -6,17 +6,27 @@
 
 namespace importon {
 
+/// Photons in a grid as lookups read them.
+struct MapBuffers : SearchedGrid {
+  MapBuffers(const SearchedGrid& grid, const gpu::Buffer& flux) : SearchedGrid(grid), mapFlux(flux) {}
+  const gpu::Buffer& mapFlux;  // or irradiance, by photon
+};
+
+/// Photons as hits are added to them.
+struct PhotonBuffers {
+  const gpu::Buffer &photonPoints, &photonFlux, &totals;
+};
+
 class StoredPhotons {
  public:
   /// For up to `capacity` photons. Room for them is made as they come.
   StoredPhotons(gpu::Context& context, MapKind kind, std::uint64_t capacity);
 
   void clear(const Stage& stage);
-  /// Binds what a batch of hits adds to.
-  void bind(gpu::BindingTable& table) const;
+  [[nodiscard]] PhotonBuffers buffers() const { return {points_, flux_, totals_}; }
   /// Stores the selected hits that work.keep marks; with the weights of work.required if `isWeighted`. Waits for the
   /// device.
-  void store(const Stage& stage, gpu::BindingTable& table, bool isWeighted = false);
+  void store(const Stage& stage, bool isWeighted = false);
   /// Adds those that were stored last to kCounterStored.
   void countStored(const Stage& stage) const;
   /// Sorts them into a grid by the levels that they have while the map grows, or in the finished map.

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "kernels/hit_count.h"
 #include "render/importance/light_share.h"
 #include "render/lists/lists.h"
-#include "shared/push_data.h"
 
 namespace importon {
 namespace {
@@ -138,10 +138,9 @@ std::uint32_t countFirstHits(PassContext& context, const PhotonSystem& system) {
   if (!system.map || !traitsOf(system.kind).countsFirstHits || system.importance.count == 0 || photons == 0) return 0;
   context.beginPilot();
   const uint weight = std::max(photons / context.plan.batch, 1u);  // of a share of the photons of a pass
-  gpu::BindingTable table = context.work.table;
-  system.importance.bind(table);
   tracePilots(context, system.source(true), photons / weight, [&] {
-    overItems(context.stage(), context.device->kernels.hitCount, table, kCounterSelected, HitCountPush{false, weight});
+    overItems<kernels::HitCount>(context.stage(), kCounterSelected, {.isGlobal = false, .weight = weight},
+                                 system.importance.buffers());
   });
   return photons;
 }

@@ -1,7 +1,8 @@
 #include "render/surface_cache/irradiance_map.h"
 
-#include "shared/bindings.h"
-#include "shared/push_data.h"
+#include "kernels/cell_group.h"
+#include "kernels/cell_smooth.h"
+#include "kernels/irradiance_add.h"
 
 namespace importon {
 
@@ -47,33 +48,21 @@ IrradianceMap::IrradianceMap(gpu::Context& context, const SurfaceCells& cells, c
     half = gpu::makeBuffer(context, "irradiance", std::span<const uint>(empty), TexelFormat::uint4);
 }
 
-void IrradianceMap::bind(gpu::BindingTable& table, int pass) const {
-  table.set(kBindingSurfaceCells, surface_);
-  table.set(kBindingIrradiance, halves_[half(pass)]);
-  table.set(kBindingIrradianceTexels, halves_[half(pass)]);
-  table.set(kBindingCellIrradiance, irradiance_);
-  table.set(kBindingCellPlaces, places_);
-}
-
 void IrradianceMap::smooth(const Stage& stage) const {
-  gpu::BindingTable table = stage.work.table;
-  table.set(kBindingCellGroups, groups_);
-  table.set(kBindingCellMembers, members_);
-  table.set(kBindingGroupLight, groupLight_);
-  table.set(kBindingGroupLightOut, groupLight_);
-  table.set(kBindingCellIrradianceOut, irradiance_);
-  const auto cells = static_cast<uint>(places_.bytes() / sizeof(uvec2));
+  const buffers::GroupLight light{groupLight_};
+  const buffers::CellGroups groups{groups_};
+  const buffers::CellMembers members{members_};
+  const auto cellCount = static_cast<uint>(places_.bytes() / sizeof(uvec2));
   for (std::size_t level = 0; level + 1 < levels_.size(); ++level) {
     const uint count = levels_[level + 1] - levels_[level];
-    stage.recorder.dispatch(stage.kernels.cellGroup, table, 2 * count, CellGroupPush{levels_[level], count, cells});
+    run<kernels::CellGroup>(stage, 2 * count, {.first = levels_[level], .count = count, .cells = cellCount}, groups,
+                            members, light);
   }
-  stage.recorder.dispatch(stage.kernels.cellSmooth, table, 2 * cells, CellSmoothPush{cells});
+  run<kernels::CellSmooth>(stage, 2 * cellCount, {.cells = cellCount}, groups, members, light);
 }
 
 void IrradianceMap::addBatch(const Stage& stage) const {
-  gpu::BindingTable table = stage.work.table;
-  table.set(kBindingTotals, totals_);
-  overTiles(stage, stage.kernels.irradianceAdd, table, kCounterRecords);
+  overTiles<kernels::IrradianceAdd>(stage, kCounterRecords, {}, buffers::Totals{totals_});
 }
 
 std::vector<gpu::Buffer*> IrradianceMap::memory() { return {&halves_[0], &halves_[1], &totals_}; }

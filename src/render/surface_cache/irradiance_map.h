@@ -15,12 +15,12 @@ class IrradianceMap {
   /// `firstPass`: before it the map is empty.
   IrradianceMap(gpu::Context& context, const SurfaceCells& cells, float units, int firstPass);
 
-  /// Binds the half of `pass`, for photons and for reading. Passes go to the halves in turn.
-  void bind(gpu::BindingTable& table, int pass) const;
-  /// Adds the batch of hits in the workspace's records to the half that is bound in its table.
+  /// With the half of `pass`, for photons and for reading. Passes go to the halves in turn.
+  [[nodiscard]] CellBuffers cells(int pass) const { return {surface_, places_, halves_[half(pass)], irradiance_}; }
+  /// Adds the batch of hits in the workspace's records to the half of the workspace's cells.
   void addBatch(const Stage& stage) const;
-  /// Makes what gather rays read of the half that is bound in the workspace's table: irradiance averaged over groups of
-  /// cells, as far as photons do not show that it differs.
+  /// Makes what gather rays read of the half of the workspace's cells: irradiance averaged over groups of cells,
+  /// as far as photons do not show that it differs.
   void smooth(const Stage& stage) const;
   [[nodiscard]] int firstPass() const { return firstPass_; }
   /// Says that the photons of all passes from the first one to before `end` are in the map.

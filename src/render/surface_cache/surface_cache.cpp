@@ -80,7 +80,7 @@ void SurfaceCache::beginPass(int pass) {
   const int generation = generationOf(pass);
   if (!irradiance_ || irradiance_->firstPass() != firstPassOf(generation)) cut(generation);
   context_.parameters.irradianceScale = irradiance_->scale(pass) / context_.parameters.photonUnits;
-  irradiance_->bind(context_.work.table, pass);
+  context_.work.cells = irradiance_->cells(pass);
 }
 
 void SurfaceCache::count(std::span<const uint> counters, PhotonMapStats& stats) const {

@@ -1,0 +1,29 @@
+/// What a compute shader's SPIR-V module says about itself, found when it was built (describe_kernels.cpp).
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace importon::gpu {
+
+enum class BufferKind { storage, uniform, texels };
+
+/// A buffer that code of the module reads or writes.
+struct KernelBuffer {
+  std::uint32_t slot;  // its binding in set 0
+  BufferKind kind;
+  std::string_view name;
+};
+
+struct KernelCode {
+  std::string_view name;  // of its file, without .comp
+  const std::uint32_t *begin, *end;
+  std::span<const KernelBuffer> buffers;  // by slot
+  std::uint32_t pushConstantBytes;
+  std::uint32_t workgroupSize;  // along x, before specialization
+  bool hasWorkgroupConstant;    // the specialization constant 0 sets that size
+
+  [[nodiscard]] std::span<const std::uint32_t> spirv() const { return {begin, end}; }
+};
+
+}  // namespace importon::gpu

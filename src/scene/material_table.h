@@ -1,0 +1,88 @@
+/// The fields of a material as a table: where each stands in glTF, what it is where the file does not say, and what it
+/// may be. From a row follow the reader, the checks of the file, and who uses which textures.
+#pragma once
+#include <array>
+#include <limits>
+#include <string_view>
+#include <variant>
+
+#include "shared/scene_data.h"
+
+namespace importon {
+
+enum class ColorMeaning { linear, srgb };
+
+/// A texture that multiplies a factor, or tells a normal.
+struct MaterialTexture {
+  uint Material::*index;
+  ColorMeaning meaning;
+  bool (*isNeeded)(const Material&);  // what it is multiplied with is not 0; null: always
+};
+
+struct MaterialRow {
+  std::string_view place;  // of the object that has it, below the material; keys separated by '/'
+  std::string_view key;
+  std::variant<float Material::*, vec3 Material::*, vec4 Material::*, MaterialTexture> field;
+  float otherwise = 0;  // of each component
+  double least = 0, most = 1;
+};
+
+inline constexpr double kAnything = std::numeric_limits<double>::infinity();
+inline constexpr double kBrightestFactor = 1e18;  // of a factor: products of two stay finite as floats
+
+namespace material_table {
+
+inline constexpr std::string_view kPbr = "pbrMetallicRoughness";
+inline constexpr std::string_view kSpecular = "extensions/KHR_materials_specular";
+inline constexpr std::string_view kTransmission = "extensions/KHR_materials_transmission";
+inline constexpr std::string_view kClearcoat = "extensions/KHR_materials_clearcoat";
+
+constexpr MaterialRow texture(std::string_view place, std::string_view key, uint Material::*index, ColorMeaning meaning,
+                              bool (*isNeeded)(const Material&) = nullptr) {
+  return {place, key, MaterialTexture{index, meaning, isNeeded}};
+}
+inline bool emits(const Material& m) { return m.emission != vec3(0.0f); }
+inline bool isCoated(const Material& m) { return m.clearcoat != 0; }
+
+}  // namespace material_table
+
+/// Fields that are made of several values of the file are not here: absorption, ior, flags (gltf_material.cpp).
+[[nodiscard]] inline const auto& materialRows() {
+  using namespace material_table;
+  using enum ColorMeaning;
+  using M = Material;
+  static const std::array kRows{
+      MaterialRow{kPbr, "baseColorFactor", &M::baseColor, 1},
+      MaterialRow{kPbr, "metallicFactor", &M::metallic, 1},
+      MaterialRow{kPbr, "roughnessFactor", &M::roughness, 1},
+      texture(kPbr, "baseColorTexture", &M::baseColorTexture, srgb),
+      texture(kPbr, "metallicRoughnessTexture", &M::metallicRoughnessTexture, linear),
+      texture("", "normalTexture", &M::normalTexture, linear),
+      MaterialRow{"normalTexture", "scale", &M::normalScale, 1, -kAnything, kAnything},
+      MaterialRow{kSpecular, "specularFactor", &M::specular, 1},
+      MaterialRow{kSpecular, "specularColorFactor", &M::specularColor, 1, 0, kAnything},
+      texture(kSpecular, "specularTexture", &M::specularTexture, linear),
+      texture(kSpecular, "specularColorTexture", &M::specularColorTexture, srgb),
+      MaterialRow{"", "emissiveFactor", &M::emission, 0, 0, kBrightestFactor},
+      texture("", "emissiveTexture", &M::emissiveTexture, srgb, emits),
+      MaterialRow{kTransmission, "transmissionFactor", &M::transmission},
+      texture(kTransmission, "transmissionTexture", &M::transmissionTexture, linear),
+      MaterialRow{kClearcoat, "clearcoatFactor", &M::clearcoat},
+      MaterialRow{kClearcoat, "clearcoatRoughnessFactor", &M::clearcoatRoughness},
+      texture(kClearcoat, "clearcoatNormalTexture", &M::clearcoatNormalTexture, linear, isCoated),
+      MaterialRow{"extensions/KHR_materials_clearcoat/clearcoatNormalTexture", "scale", &M::clearcoatNormalScale, 1,
+                  -kAnything, kAnything},
+      texture(kClearcoat, "clearcoatTexture", &M::clearcoatTexture, linear, isCoated),
+      texture(kClearcoat, "clearcoatRoughnessTexture", &M::clearcoatRoughnessTexture, linear, isCoated),
+      MaterialRow{"", "alphaCutoff", &M::alphaCutoff, 0.5f, 0, kAnything}};
+  return kRows;
+}
+
+/// Calls `visit` with the index of each texture, kNone or not.
+template <class Visit>
+void visitTextures(const Material& material, Visit visit) {
+  for (const MaterialRow& row : materialRows())
+    if (const auto* texture = std::get_if<MaterialTexture>(&row.field)) visit(material.*texture->index);
+}
+
+}  // namespace importon
