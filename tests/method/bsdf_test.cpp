@@ -14,7 +14,7 @@
 #include "support/statistics.h"
 #include "test_kernels/registry.h"
 
-namespace importon {
+namespace importon::bsdf_test {
 namespace {
 
 /// As in tests/kernels/bsdf.comp.
@@ -407,4 +407,4 @@ TEST_F(BsdfTest, RoughTransmissionIsReciprocalUpToTheSquaredIndex) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::bsdf_test

@@ -8,7 +8,7 @@
 #include "support/scene_builder.h"
 #include "support/statistics.h"
 
-namespace importon {
+namespace importon::constant_density_test {
 namespace {
 
 using glm::dvec3;
@@ -94,4 +94,4 @@ TEST_F(ConstantDensity, StoresPhotonsEvenlyAndAsManyAsAskedWhereHitsAreUneven) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::constant_density_test

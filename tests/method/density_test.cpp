@@ -11,7 +11,7 @@
 #include "support/scene_builder.h"
 #include "support/stability.h"
 
-namespace importon {
+namespace importon::density_test {
 namespace {
 
 using glm::dvec3;
@@ -261,4 +261,4 @@ TEST_F(DensityControlTest, OfAVanishingDensityKeepsAllPowerAndStaysFinite) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::density_test

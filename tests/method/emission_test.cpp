@@ -10,7 +10,7 @@
 #include "support/statistics.h"
 #include "test_kernels/light_choice.h"
 
-namespace importon::test {
+namespace importon::test::emission_test {
 namespace {
 
 constexpr double kSignificance = 1e-3;
@@ -149,4 +149,4 @@ TEST_F(EmissionTest, LightsForAPointAreChosenWithTheStatedProbability) {
 }
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::emission_test

@@ -7,7 +7,7 @@
 #include "support/gpu_test.h"
 #include "support/scene_builder.h"
 
-namespace importon {
+namespace importon::emitted_power_test {
 namespace {
 
 using test::SceneBuilder;
@@ -62,4 +62,4 @@ TEST_F(EmittedPower, OfAnEnvironmentIsThatOfTheDiscAroundTheScene) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::emitted_power_test

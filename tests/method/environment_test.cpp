@@ -13,7 +13,7 @@
 #include "support/statistics.h"
 #include "test_kernels/registry.h"
 
-namespace importon {
+namespace importon::environment_test {
 namespace {
 
 /// As in tests/kernels/environment.comp.
@@ -135,4 +135,4 @@ TEST_F(Environments, OfOneTexelAreConstant) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::environment_test

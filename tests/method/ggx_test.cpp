@@ -8,7 +8,7 @@
 #include "support/gpu_test.h"
 #include "test_kernels/registry.h"
 
-namespace importon {
+namespace importon::ggx_test {
 namespace {
 
 /// As in tests/kernels/visible_normal.comp.
@@ -63,4 +63,4 @@ TEST_F(VisibleNormals, HaveTheirDensity) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::ggx_test

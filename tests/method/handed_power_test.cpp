@@ -9,7 +9,7 @@
 #include "support/gpu_test.h"
 #include "support/scene_builder.h"
 
-namespace importon {
+namespace importon::handed_power_test {
 namespace {
 
 using test::SceneBuilder;
@@ -96,4 +96,4 @@ TEST_F(HandedPower, LeavesAtLeastTheFloorOfTheDensityWhereNoImportonIs) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::handed_power_test

@@ -9,7 +9,7 @@
 #include "support/scene_builder.h"
 #include "support/statistics.h"
 
-namespace importon {
+namespace importon::importance_bound_test {
 namespace {
 
 using glm::dvec3;
@@ -112,4 +112,4 @@ TEST_F(ImportanceBound, OfAGatherRayIsTheSolidAngleThatItCovers) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::importance_bound_test

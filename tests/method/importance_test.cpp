@@ -11,7 +11,7 @@
 #include "support/scene_builder.h"
 #include "support/statistics.h"
 
-namespace importon {
+namespace importon::importance_test {
 namespace {
 
 using glm::dvec3;
@@ -183,4 +183,4 @@ TEST_F(Importance, OfAWallLitByWhatTheCameraSeesIsThePatchsFormFactor) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::importance_test

@@ -6,7 +6,7 @@
 #include "support/gpu_test.h"
 #include "test_kernels/registry.h"
 
-namespace importon {
+namespace importon::importon_at_test {
 namespace {
 
 /// As in tests/kernels/importon_at.comp: a query, and an importon of the map.
@@ -65,4 +65,4 @@ TEST_F(ImportonAt, ReachesAsFarAsTheEdgeOfItsOwnLevel) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::importon_at_test

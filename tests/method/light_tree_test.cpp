@@ -9,7 +9,7 @@
 #include "support/statistics.h"
 #include "test_kernels/registry.h"
 
-namespace importon {
+namespace importon::light_tree_test {
 namespace {
 
 /// As in tests/kernels/light_tree.comp.
@@ -139,4 +139,4 @@ TEST_F(LightTree, LightsOfGroupsThatAreNotSeenAreChosenSeldom) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::light_tree_test

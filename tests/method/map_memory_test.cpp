@@ -8,7 +8,7 @@
 #include "support/gpu_test.h"
 #include "support/scene_builder.h"
 
-namespace importon {
+namespace importon::map_memory_test {
 namespace {
 
 constexpr double kDensity = 500;  // photons/m², of a room that gets some 20 times as many
@@ -174,4 +174,4 @@ TEST_F(MapMemory, OfABatchHoldsAllHitsWhateverItsSize) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::map_memory_test

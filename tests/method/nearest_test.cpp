@@ -9,7 +9,7 @@
 #include "support/gpu_test.h"
 #include "support/scene_builder.h"
 
-namespace importon {
+namespace importon::nearest_test {
 namespace {
 
 using test::SceneBuilder;
@@ -131,4 +131,4 @@ TEST_F(NearestPhotons, PicturesCountEveryPhotonInView) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::nearest_test

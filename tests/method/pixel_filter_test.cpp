@@ -10,7 +10,7 @@
 #include "support/statistics.h"
 #include "test_kernels/registry.h"
 
-namespace importon {
+namespace importon::pixel_filter_test {
 namespace {
 
 /// As in tests/kernels/pixel_filter.comp.
@@ -72,4 +72,4 @@ TEST_F(PixelFilters, BlackmanHarrisFallsAsItSays) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::pixel_filter_test

@@ -11,7 +11,7 @@
 #include "support/scene_builder.h"
 #include "support/statistics.h"
 
-namespace importon {
+namespace importon::probability_test {
 namespace {
 
 using test::SceneBuilder;
@@ -144,4 +144,4 @@ TEST_F(ProbabilityControl, StoresAtLeastTheFloorsShare) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::probability_test

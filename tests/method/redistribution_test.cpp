@@ -9,7 +9,7 @@
 #include "support/scene_builder.h"
 #include "support/stability.h"
 
-namespace importon {
+namespace importon::redistribution_test {
 namespace {
 
 using test::SceneBuilder;
@@ -164,4 +164,4 @@ TEST_F(Redistribution, GivesTheSameMapInAnyBatches) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::redistribution_test

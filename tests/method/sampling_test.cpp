@@ -9,7 +9,7 @@
 #include "support/statistics.h"
 #include "test_kernels/registry.h"
 
-namespace importon {
+namespace importon::sampling_test {
 namespace {
 
 /// As in tests/kernels/warps.comp.
@@ -123,4 +123,4 @@ TEST_F(Warps, FramesAreRightHandedAndOrthonormal) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::sampling_test

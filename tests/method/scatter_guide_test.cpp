@@ -12,7 +12,7 @@
 #include "support/statistics.h"
 #include "test_kernels/registry.h"
 
-namespace importon {
+namespace importon::scatter_guide_test {
 namespace {
 
 constexpr double kSignificance = 1e-3;
@@ -79,4 +79,4 @@ TEST_F(ScatterGuideTest, SendsTheSameLightIntoEverySectorWhateverItsShare) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::scatter_guide_test

@@ -10,7 +10,7 @@
 #include "support/statistics.h"
 #include "test_kernels/registry.h"
 
-namespace importon {
+namespace importon::sequence_test {
 namespace {
 
 constexpr double kSignificance = 1e-4;
@@ -152,4 +152,4 @@ TEST_F(Sequence, OtherSeedsGiveOtherPoints) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::sequence_test

@@ -13,7 +13,7 @@
 #include "support/statistics.h"
 #include "test_kernels/registry.h"
 
-namespace importon {
+namespace importon::surface_cells_test {
 namespace {
 
 /// As in tests/kernels/surface_cell.comp.
@@ -137,4 +137,4 @@ TEST(PointDensity, OfEvenPointsOnAPlaneIsTheirNumberPerArea) {
 TEST(PointDensity, WithoutPointsIsNone) { EXPECT_EQ(PointDensity({}, {}, vec3(0), 1).at(vec3(0.5f)), 0); }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::surface_cells_test

@@ -121,7 +121,7 @@ class Runs(unittest.TestCase):
         self.write("tests/mutants/all.toml", TABLE.replace("SEEN", str(self.root / "seen")))
         self.write("docs/testing.md", PAGE)
         self.old = gate.LEAST_TIMEOUT, gate.TIMEOUT_FACTOR
-        gate.LEAST_TIMEOUT, gate.TIMEOUT_FACTOR = 6, 1
+        gate.LEAST_TIMEOUT, gate.TIMEOUT_FACTOR = 3, 1
 
     def tearDown(self):
         gate.LEAST_TIMEOUT, gate.TIMEOUT_FACTOR = self.old

@@ -2,7 +2,7 @@
 #include "render_helper.h"
 #include "scene/packing.h"
 
-namespace importon::test {
+namespace importon::test::adjoint_test {
 namespace {
 
 constexpr int kSize = 8;
@@ -107,4 +107,4 @@ TEST_F(Adjoint, PhotonsBringWhatPathsFindThroughGlassOverTexturesAndNormalMaps) 
 }
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::adjoint_test

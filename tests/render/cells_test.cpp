@@ -1,7 +1,7 @@
 // Gather rays that read surface cells, and lights chosen by where photons came from.
 #include "render_helper.h"
 
-namespace importon::test {
+namespace importon::test::cells_test {
 namespace {
 
 constexpr int kSize = 8;
@@ -95,4 +95,4 @@ TEST_F(Cells, SeeWhichLightsArriveSoThatHiddenOnesAddLittleNoise) {
 }
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::cells_test

@@ -4,7 +4,7 @@
 
 #include "render_helper.h"
 
-namespace importon::test {
+namespace importon::test::extreme_test {
 namespace {
 
 constexpr int kSize = 16;
@@ -178,4 +178,4 @@ TEST_F(Extreme, GrazingCausticLightKeepsItsMean) {
 }
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::extreme_test

@@ -4,7 +4,7 @@
 
 #include "render_helper.h"
 
-namespace importon::test {
+namespace importon::test::flux_test {
 namespace {
 
 constexpr double kPi = glm::pi<double>();
@@ -181,4 +181,4 @@ TEST_F(Flux, OfInfiniteRequiredDensityIsTheUncontrolledMap) {
 }
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::flux_test

@@ -5,7 +5,7 @@
 
 #include "render_helper.h"
 
-namespace importon::test {
+namespace importon::test::focus_test {
 namespace {
 
 constexpr int kSize = 16;
@@ -79,4 +79,4 @@ TEST_F(Focus, WeakLightIsSeenWhereTheStrongOneIsHidden) {
 }
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::focus_test

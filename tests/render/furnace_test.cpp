@@ -4,7 +4,7 @@
 
 #include "render_helper.h"
 
-namespace importon::test {
+namespace importon::test::furnace_test {
 namespace {
 
 constexpr int kSize = 32;
@@ -115,4 +115,4 @@ TEST_F(Furnace, PhotonMappedBoxIsUniformAsTheRadiusVanishes) {
 }
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::furnace_test

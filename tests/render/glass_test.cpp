@@ -4,7 +4,7 @@
 
 #include "render_helper.h"
 
-namespace importon::test {
+namespace importon::test::glass_test {
 namespace {
 
 constexpr int kSize = 16;
@@ -212,4 +212,4 @@ TEST_F(Caustic, OfParallelLightThroughSlabIsItsTransmittance) {
 }
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::glass_test

@@ -10,7 +10,7 @@
 #include "support/scene_builder.h"
 #include "support/statistics.h"
 
-namespace importon::test {
+namespace importon::test::guide_test {
 namespace {
 
 TEST(GuidePmf, FollowTheRootOfWhatWasLearnedAndAreNeverZero) {
@@ -108,4 +108,4 @@ TEST_F(Guide, KeepsTheMeanFluxOfPowerEmission) {
 }
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::guide_test

@@ -5,7 +5,7 @@
 
 #include "render_helper.h"
 
-namespace importon::test {
+namespace importon::test::invariance_test {
 namespace {
 
 constexpr int kSize = 16;
@@ -127,4 +127,4 @@ INSTANTIATE_TEST_SUITE_P(Both, Invariance, ::testing::Values(Integrator::path, I
                          [](const auto& test) { return test.param == Integrator::path ? "Path" : "Photon"; });
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::invariance_test

@@ -5,7 +5,7 @@
 
 #include "render_helper.h"
 
-namespace importon::test {
+namespace importon::test::irradiance_test {
 namespace {
 
 constexpr double kPi = glm::pi<double>();
@@ -219,4 +219,4 @@ INSTANTIATE_TEST_SUITE_P(Both, Irradiance, ::testing::Values(Integrator::path, I
                          [](const auto& test) { return test.param == Integrator::path ? "Path" : "Photon"; });
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::irradiance_test

@@ -4,7 +4,7 @@
 
 #include "render_helper.h"
 
-namespace importon::test {
+namespace importon::test::material_test {
 namespace {
 
 constexpr int kSize = 8;
@@ -147,4 +147,4 @@ TEST_F(Materials, ShadingNormalsGainNoEnergy) {
 }
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::material_test

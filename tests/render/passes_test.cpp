@@ -6,7 +6,7 @@
 
 #include "render_helper.h"
 
-namespace importon::test {
+namespace importon::test::passes_test {
 namespace {
 
 class Passes : public RenderTest {};
@@ -76,4 +76,4 @@ TEST_F(Passes, StoreAtADensityThatGrowsByTheCubeRootOfTheirNumber) {
 }
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::passes_test

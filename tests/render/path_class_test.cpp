@@ -6,7 +6,7 @@
 
 #include "render_helper.h"
 
-namespace importon::test {
+namespace importon::test::path_class_test {
 namespace {
 
 constexpr int kSize = 8;
@@ -176,4 +176,4 @@ INSTANTIATE_TEST_SUITE_P(Of, PathClasses,
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::path_class_test

@@ -7,7 +7,7 @@
 #include "render/importance/site_hits.h"
 #include "render_helper.h"
 
-namespace importon::test {
+namespace importon::test::shooting_test {
 namespace {
 
 TEST(SiteSupply, CountsWhatIsMissingWhereLightComes) {
@@ -100,4 +100,4 @@ TEST_F(Shooting, OfEnoughPhotonsGivesTheSameBitsAgain) {
 }
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::shooting_test

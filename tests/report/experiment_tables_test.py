@@ -83,8 +83,9 @@ class ExperimentTables(unittest.TestCase):
 
     def test_labels_of_kernels_are_those_of_the_program(self):
         source = "".join(file.read_text() for file in (ROOT / "src").rglob("*.[ch]*"))
+        kernels = {file.stem.replace("_", " ") for file in (ROOT / "shaders/kernels").rglob("*.comp")}
         labels = set.union(*renders.GROUPS.values())
-        self.assertEqual([], sorted(label for label in labels if f'"{label}"' not in source))
+        self.assertEqual([], sorted(label for label in labels - kernels if f'"{label}"' not in source))
         self.assertEqual(len(labels), sum(map(len, renders.GROUPS.values())))
 
     def test_start_up_tells_warm_and_empty_caches_apart(self):

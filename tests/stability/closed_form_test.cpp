@@ -3,7 +3,7 @@
 
 #include "render_helper.h"
 
-namespace importon::test {
+namespace importon::test::closed_form_test {
 namespace {
 
 constexpr int kSize = 12;
@@ -63,4 +63,4 @@ TEST_F(ClosedForms, NoPhotonIsKeptWhereNothingIsSeen) {
 }
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::closed_form_test

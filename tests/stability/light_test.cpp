@@ -7,7 +7,7 @@
 #include "hard_scenes.h"
 #include "render_helper.h"
 
-namespace importon::test {
+namespace importon::test::light_test {
 namespace {
 
 constexpr int kSize = 12;
@@ -153,4 +153,4 @@ TEST_F(HardLights, SlowSlitFillsTheRoomBehindIt) {
 }
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::light_test

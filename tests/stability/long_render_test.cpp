@@ -6,7 +6,7 @@
 #include "render/renderer.h"
 #include "render_helper.h"
 
-namespace importon::test {
+namespace importon::test::long_render_test {
 namespace {
 
 constexpr int kSize = 12;
@@ -135,4 +135,4 @@ TEST_F(LongRenders, SlowCellsKeepTheWeakestLight) {
 }
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::long_render_test

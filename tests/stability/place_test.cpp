@@ -6,7 +6,7 @@
 
 #include "render_helper.h"
 
-namespace importon::test {
+namespace importon::test::place_test {
 namespace {
 
 constexpr int kSize = 16;
@@ -123,4 +123,4 @@ TEST_F(Place, SphereLightThatTouchesAPlaneHasItsMean) {
 }
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::place_test

@@ -6,7 +6,7 @@
 
 #include "render_helper.h"
 
-namespace importon::test {
+namespace importon::test::slope_test {
 namespace {
 
 constexpr int kSize = 16, kSeeds = 8;
@@ -101,4 +101,4 @@ TEST_F(ErrorSlopes, OfDirectLightDoNotEndAtABias) {
 }
 
 }  // namespace
-}  // namespace importon::test
+}  // namespace importon::test::slope_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-namespace importon {
+namespace importon::adaptive_sampler_test {
 namespace {
 
 constexpr int kWidth = 16, kHeight = 12;
@@ -138,4 +138,4 @@ TEST(AdaptiveSampler, GoesOnAfterAPause) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::adaptive_sampler_test

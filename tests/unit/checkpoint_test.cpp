@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "support/temporary_folder.h"
 
-namespace importon {
+namespace importon::checkpoint_test {
 namespace {
 
 using test::readFile;
@@ -79,4 +79,4 @@ TEST(Checkpoint, SaysWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::checkpoint_test

@@ -11,7 +11,7 @@
 #include "render/options/gather_source.h"
 #include "render/options/option_table.h"
 
-namespace importon {
+namespace importon::command_line_test {
 namespace {
 
 /// Cuts at spaces.
@@ -332,4 +332,4 @@ TEST(CommandLine, HelpFollowsAnyArguments) {
 TEST(CommandLine, TellsItsVersion) { EXPECT_EQ(std::get<TextCommand>(parse("--version")).text.find("importon "), 0u); }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::command_line_test

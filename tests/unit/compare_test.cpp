@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-namespace importon {
+namespace importon::compare_test {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -130,4 +130,4 @@ TEST(Compare, RefusesOtherSizesAndMissingChannels) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::compare_test

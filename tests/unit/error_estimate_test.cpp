@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace importon {
+namespace importon::error_estimate_test {
 namespace {
 
 constexpr int kWidth = 64, kHeight = 48;
@@ -97,4 +97,4 @@ TEST(ErrorEstimate, OfABlackImageIsZero) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::error_estimate_test

@@ -13,7 +13,7 @@
 #include "io/image.h"
 #include "support/temporary_folder.h"
 
-namespace importon {
+namespace importon::exr_variants_test {
 namespace {
 
 using test::TemporaryFolder;
@@ -165,4 +165,4 @@ TEST(ExrVariants, FurtherPartsAreLayers) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::exr_variants_test

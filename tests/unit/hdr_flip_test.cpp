@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 
-namespace importon {
+namespace importon::hdr_flip_test {
 namespace {
 
 Image grey(const std::vector<float>& values) {
@@ -78,4 +78,4 @@ TEST(HdrFlip, RefusesMissingChannels) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::hdr_flip_test

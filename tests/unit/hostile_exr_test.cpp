@@ -10,7 +10,7 @@
 #include "io/image.h"
 #include "support/temporary_folder.h"
 
-namespace importon {
+namespace importon::hostile_exr_test {
 namespace {
 
 std::string errorOf(const std::filesystem::path& file) {
@@ -49,4 +49,4 @@ TEST(HostileExr, ASmallFileDoesNotTakeTheMemoryOfAHugeImage) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::hostile_exr_test

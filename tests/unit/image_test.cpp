@@ -15,7 +15,7 @@
 #include "base/error.h"
 #include "support/temporary_folder.h"
 
-namespace importon {
+namespace importon::image_test {
 namespace {
 
 using test::readFile;
@@ -205,4 +205,4 @@ TEST(Png, LeavesNothingWhenItCannotWrite) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::image_test

@@ -7,7 +7,7 @@
 #include <functional>
 #include <random>
 
-namespace importon {
+namespace importon::indirect_filter_test {
 namespace {
 
 constexpr int kWidth = 50, kHeight = 40;
@@ -176,4 +176,4 @@ TEST(IndirectFilter, GivesTheSameBitsOnAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::indirect_filter_test

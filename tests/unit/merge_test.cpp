@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-namespace importon {
+namespace importon::merge_test {
 namespace {
 
 /// Two pixels of one value in R, twice that in the variance.
@@ -96,4 +96,4 @@ TEST(Merge, RefusesWhatWasNotRenderedByImporton) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::merge_test

@@ -7,7 +7,7 @@
 #include "io/image.h"
 #include "support/temporary_folder.h"
 
-namespace importon {
+namespace importon::output_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -140,4 +140,4 @@ TEST(CheckWritable, FindsFoldersAndFilesThatForbidWriting) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::output_file_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace importon {
+namespace importon::pass_plan_test {
 namespace {
 
 RenderJob jobOf(std::optional<double> seconds) {
@@ -44,4 +44,4 @@ TEST(PassPlan, WithACheckpointDoesNotDependOnTime) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::pass_plan_test

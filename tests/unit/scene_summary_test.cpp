@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace importon {
+namespace importon::scene_summary_test {
 namespace {
 
 Scene sample() {
@@ -74,4 +74,4 @@ TEST(SceneSummary, TellsTheSameAsJson) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::scene_summary_test

@@ -5,7 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-namespace importon {
+namespace importon::stats_file_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -111,4 +111,4 @@ TEST(StatsFile, StaysJsonWithStrangeNamesAndNumbers) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::stats_file_test

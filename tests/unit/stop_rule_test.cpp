@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace importon {
+namespace importon::stop_rule_test {
 namespace {
 
 RenderJob jobOf(std::optional<int> passes, std::optional<double> seconds, std::optional<double> error) {
@@ -160,4 +160,4 @@ TEST(StopRule, TellsTheTimeLeft) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::stop_rule_test

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-namespace importon {
+namespace importon::tone_map_test {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -68,4 +68,4 @@ TEST(ToneMap, NeedsRedGreenAndBlue) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::tone_map_test
