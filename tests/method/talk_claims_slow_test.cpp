@@ -10,7 +10,7 @@
 #include "support/claims.h"
 #include "support/gpu_test.h"
 
-namespace importon {
+namespace importon::talk_claims_slow_test {
 namespace {
 
 constexpr double kMostError = 1.25;  // with control, over that of all photons
@@ -44,4 +44,4 @@ TEST_F(TalkClaims, ASeventhOfThePhotonsKeepsTheMeanOfALitRoomAndCostsAQuarterOfT
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::talk_claims_slow_test

@@ -11,7 +11,7 @@
 #include "support/claims.h"
 #include "support/gpu_test.h"
 
-namespace importon {
+namespace importon::talk_figures_slow_test {
 namespace {
 
 constexpr double kMostError = 1.15;   // of the controlled image, over that of the uncontrolled one
@@ -99,4 +99,4 @@ TEST_F(TalkFigures, NoLightComesThroughTheDoorByRedistribution) {
 }
 
 }  // namespace
-}  // namespace importon
+}  // namespace importon::talk_figures_slow_test
