@@ -48,7 +48,7 @@ class Purpose:
 PURPOSES = {
     "tables": Purpose({scene: (width, None) for scene, width in TABLE_WIDTHS.items()},
                       {"cornell_box": 3e-5, "rooms": 5e-5, "door_slit": 2e-3, "glass_ball": 6e-5, "glass_caustic": 2e-4,
-                       "pool": 2e-4, "ring": 1e-4}, "build/references/tables/NAME.exr"),
+                       "pool": 2e-4, "ring": 7e-5}, "build/references/tables/NAME.exr"),
     "stored": Purpose({scene: (128, 128) for scene in WAYS},
                       {"cornell_box": 1e-4, "rooms": 2e-4, "door_slit": 5e-3, "glass_ball": 1e-4, "glass_caustic": 5e-4,
                        "pool": 5e-4, "ring": 2e-4}, "scenes/NAME/reference.exr"),
