@@ -14,9 +14,10 @@
 namespace importon::talk_figures_slow_test {
 namespace {
 
-constexpr double kMostError = 1.15;   // of the controlled image, over that of the uncontrolled one
-constexpr double kMeanMargin = 0.01;  // within which means are shown to be the same
-constexpr double kDoorMargin = 0.03;  // the same behind the door, where next to no photons arrive
+constexpr double kMostErrorOfCells = 1.02;  // of the classical map's: as good as it
+constexpr double kMostError = 1.15;         // of the controlled image, over that of the uncontrolled one
+constexpr double kMeanMargin = 0.01;        // within which means are shown to be the same
+constexpr double kDoorMargin = 0.03;        // the same behind the door, where next to no photons arrive
 
 class TalkFigures : public test::GpuTest {
  protected:
@@ -64,7 +65,7 @@ TEST_F(TalkFigures, RoomsNeedASeventhOfTheGlobalPhotons) {
   // Lookups within a radius lose light at edges, some hundredths in this scene; cells do not.
   EXPECT_TRUE(test::isAbove(1, found[1].meanRatio));
   EXPECT_TRUE(test::isBelow(std::log(kMostError), found[0].errorRatio));
-  EXPECT_TRUE(test::isBelow(0, found[1].errorRatio));
+  EXPECT_TRUE(test::isBelow(std::log(kMostErrorOfCells), found[1].errorRatio));
   EXPECT_TRUE(test::isBelow(0.5, found[1].bytesRatio));
 }
 
