@@ -78,7 +78,8 @@ void Parser::addInfo() {
 
 void Parser::addCompare() {
   compareApp = app.add_subcommand(
-      "compare", "print relMSE, trimmed relMSE, SMAPE, RMSE, mean ratio, FLIP, blotches and grain of A.exr against REF.exr");
+      "compare",
+      "print relMSE, trimmed relMSE, SMAPE, RMSE, mean ratio, FLIP, blotches and grain of A.exr against REF.exr");
   compareApp->add_option("A.exr", compare.image, "the image")->required()->check(notEmpty())->type_name("");
   compareApp->add_option("REF.exr", compare.reference, "the reference")->required()->check(notEmpty())->type_name("");
   compareApp->add_flag("--json", compare.isJson, "as JSON");

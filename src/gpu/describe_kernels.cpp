@@ -238,8 +238,8 @@ std::string describeCall(const std::string& space, const Module& module) {
 namespace importon::{space} {{
 
 struct {type} {{
-  static const gpu::KernelCode code;
-  static constexpr std::string_view label = "{label}";
+  static const gpu::KernelCode kCode;
+  static constexpr std::string_view kLabel = "{label}";
 {push}  /// By slot, each from the first of `owners` that has a member of its name.
   template <class... Owners>
   [[nodiscard]] static std::array<const gpu::Buffer*, {count}> buffers(const Owners&... owners) {{
@@ -262,7 +262,7 @@ std::string describeCode(const std::string& symbols, const Module& module) {
   if (!buffers.empty())
     text +=
         fmt::format("static constexpr gpu::KernelBuffer kBuffersOf{}[] = {{\n{}}};\n", typeName(module.name), buffers);
-  return text + fmt::format("const gpu::KernelCode {0}::code{{\"{1}\", {2}_{1}, {2}_{1}_end, {3}, {4}, {5}, {6}}};\n",
+  return text + fmt::format("const gpu::KernelCode {0}::kCode{{\"{1}\", {2}_{1}, {2}_{1}_end, {3}, {4}, {5}, {6}}};\n",
                             typeName(module.name), module.name, symbols,
                             buffers.empty() ? "{}" : "kBuffersOf" + typeName(module.name), module.pushBytes,
                             module.workgroupSize, module.hasWorkgroupConstant);
@@ -302,7 +302,7 @@ void run(const std::vector<std::string>& arguments) {
     includes += fmt::format("#include \"{}/{}.h\"\n", space, name);
     declarations += fmt::format("extern \"C\" const std::uint32_t {0}_{1}[], {0}_{1}_end[];\n", symbols, name);
     codes += describeCode(symbols, module);
-    list += fmt::format("    &{}::code,\n", typeName(name));
+    list += fmt::format("    &{}::kCode,\n", typeName(name));
   }
   writeFile(folder / "include" / space / "buffers.h", describeNames(space, names));
   writeFile(folder / "include" / space / "registry.h", fmt::format(R"(/// All kernels that are built in.

@@ -47,7 +47,7 @@ bool isLuminanceChroma(const Imf::Header& header) {
 /// is taken for it.
 void checkSize(const Imf::Header& header, const std::string& where, std::size_t channelsBefore,
                std::int64_t fileBytes) {
-  const Imath::Box2i window = header.dataWindow();
+  const Imath::Box2i& window = header.dataWindow();
   const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
   const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
   auto channels = static_cast<std::int64_t>(channelsBefore);
@@ -77,7 +77,7 @@ void readAttributes(const Imf::Header& header, Image& image) {
 /// Adds the channels of a part, each with `prefix` before its name.
 void readPart(Imf::MultiPartInputFile& exr, int part, const std::string& prefix, Image& image) {
   const Imf::Header& header = exr.header(part);
-  const Imath::Box2i window = header.dataWindow();
+  const Imath::Box2i& window = header.dataWindow();
   const auto width = static_cast<std::size_t>(image.width);
   Imf::FrameBuffer frameBuffer;
   for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
@@ -112,7 +112,7 @@ void readLuminanceChroma(const std::filesystem::path& file, Image& image) {
 /// Parts after the first are layers: their names go before their channels', unless they begin with them.
 std::string prefixOf(const Imf::Header& header) {
   if (!header.hasName()) return "";
-  const std::string prefix = header.name() + ".";
+  std::string prefix = header.name() + ".";
   for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
     if (std::string(i.name()).starts_with(prefix)) return "";
   }
@@ -130,7 +130,7 @@ Image readImage(const std::filesystem::path& file, const std::string& where) {
     if (isDeep && part == 0) throw SceneError("this is a deep image", where, "flatten it first");
     if (isDeep) continue;
     checkSize(header, where, image.channels.size(), fileBytes);
-    const Imath::Box2i window = header.dataWindow();
+    const Imath::Box2i& window = header.dataWindow();
     const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
     if (part == 0) {
       image.width = width;

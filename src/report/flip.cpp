@@ -43,14 +43,14 @@ Triple multiply(const std::array<Triple, 3>& matrix, const Triple& v) {
 
 /// XYZ relative to the white point, so that white is (1, 1, 1).
 Triple relativeXyz(const Triple& rgb) {
-  static const Triple white = multiply(kXyzFromRgb, {1, 1, 1});
+  static const Triple kWhite = multiply(kXyzFromRgb, {1, 1, 1});
   const Triple xyz = multiply(kXyzFromRgb, rgb);
-  return {xyz[0] / white[0], xyz[1] / white[1], xyz[2] / white[2]};
+  return {xyz[0] / kWhite[0], xyz[1] / kWhite[1], xyz[2] / kWhite[2]};
 }
 
 Triple rgbFromRelativeXyz(const Triple& relative) {
-  static const Triple white = multiply(kXyzFromRgb, {1, 1, 1});
-  return multiply(kRgbFromXyz, {relative[0] * white[0], relative[1] * white[1], relative[2] * white[2]});
+  static const Triple kWhite = multiply(kXyzFromRgb, {1, 1, 1});
+  return multiply(kRgbFromXyz, {relative[0] * kWhite[0], relative[1] * kWhite[1], relative[2] * kWhite[2]});
 }
 
 /// Linearised L*a*b* without the cube root: luminance, red-green and blue-yellow.
@@ -167,10 +167,10 @@ Planes perceived(const Planes& opponent) {
 
 /// The colour difference, compressed to [0, 1] (sec. 4.1.3).
 float colorError(const Triple& a, const Triple& b) {
-  static const float greatest = std::pow(hyab(huntLabFromRgb({0, 1, 0}), huntLabFromRgb({0, 0, 1})), kColorExponent);
-  const float error = std::pow(hyab(a, b), kColorExponent), knee = kColorKnee * greatest;
+  static const float kGreatest = std::pow(hyab(huntLabFromRgb({0, 1, 0}), huntLabFromRgb({0, 0, 1})), kColorExponent);
+  const float error = std::pow(hyab(a, b), kColorExponent), knee = kColorKnee * kGreatest;
   if (error < knee) return kColorKneeValue / knee * error;
-  return std::min(1.F, kColorKneeValue + (error - knee) / (greatest - knee) * (1 - kColorKneeValue));
+  return std::min(1.F, kColorKneeValue + (error - knee) / (kGreatest - knee) * (1 - kColorKneeValue));
 }
 
 /// A Gaussian and its first or second derivative, positive and negative parts each of sum 1 (sec. 4.2).

@@ -32,9 +32,9 @@ constexpr Layer kDensity{"density", "Density stored", "photons/m²",
                          "Photons within a lookup radius over its area, on the scale of the required density."};
 
 const std::vector<float>& valuesOf(const StudyResult& result, const std::string& channel) {
-  static const std::vector<float> none;
+  static const std::vector<float> kEmpty;
   const Channel* found = result.image.find(channel);
-  return found != nullptr ? found->values : none;
+  return found != nullptr ? found->values : kEmpty;
 }
 
 /// The value below which kShownShare of the positive values lie; 0 if there is none.

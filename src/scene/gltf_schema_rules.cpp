@@ -174,8 +174,8 @@ std::vector<SchemaRule> makeRules() {
 }  // namespace
 
 const std::vector<SchemaRule>& schemaRules() {
-  static const std::vector<SchemaRule> rules = makeRules();
-  return rules;
+  static const std::vector<SchemaRule> kRules = makeRules();
+  return kRules;
 }
 
 }  // namespace importon

@@ -18,7 +18,7 @@ namespace importon::gpu {
 namespace {
 
 TEST(KernelCode, HasBuffersWithTheirKinds) {
-  const std::span<const KernelBuffer> buffers = test_kernels::Texels::code.buffers;
+  const std::span<const KernelBuffer> buffers = test_kernels::Texels::kCode.buffers;
   ASSERT_EQ(buffers.size(), 3u);
   EXPECT_EQ(buffers[0].slot, 0u);
   EXPECT_EQ(buffers[0].kind, BufferKind::texels);
@@ -29,7 +29,7 @@ TEST(KernelCode, HasBuffersWithTheirKinds) {
 }
 
 TEST(KernelCode, LeavesOutBuffersThatNoCodeUses) {
-  const std::span<const KernelBuffer> buffers = test_kernels::UnusedBinding::code.buffers;
+  const std::span<const KernelBuffer> buffers = test_kernels::UnusedBinding::kCode.buffers;
   ASSERT_EQ(buffers.size(), 3u);
   EXPECT_EQ(buffers[0].slot, 1u);
   EXPECT_EQ(buffers[1].slot, 3u);
@@ -38,16 +38,16 @@ TEST(KernelCode, LeavesOutBuffersThatNoCodeUses) {
 }
 
 TEST(KernelCode, HasPushConstants) {
-  EXPECT_EQ(test_kernels::ShiftAdd::code.pushConstantBytes, 8u);
+  EXPECT_EQ(test_kernels::ShiftAdd::kCode.pushConstantBytes, 8u);
   EXPECT_EQ(sizeof(test_kernels::ShiftAdd::Push), 8u);
-  EXPECT_EQ(test_kernels::Constants::code.pushConstantBytes, 0u);
+  EXPECT_EQ(test_kernels::Constants::kCode.pushConstantBytes, 0u);
   EXPECT_TRUE(std::is_empty_v<test_kernels::Constants::Push>);
 }
 
 TEST(KernelCode, HasTheWorkgroupSize) {
-  EXPECT_TRUE(test_kernels::Constants::code.hasWorkgroupConstant);
-  EXPECT_EQ(test_kernels::Constants::code.workgroupSize, 1u);
-  EXPECT_EQ(test_kernels::FixedWorkgroup::code.workgroupSize, 128u);
+  EXPECT_TRUE(test_kernels::Constants::kCode.hasWorkgroupConstant);
+  EXPECT_EQ(test_kernels::Constants::kCode.workgroupSize, 1u);
+  EXPECT_EQ(test_kernels::FixedWorkgroup::kCode.workgroupSize, 128u);
   EXPECT_FALSE(test_kernels::code("needs_int64").hasWorkgroupConstant);
   EXPECT_EQ(test_kernels::code("needs_int64").workgroupSize, 1u);
 }

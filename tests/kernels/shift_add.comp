@@ -6,9 +6,9 @@
 
 layout(set = 0, binding = 0, scalar) readonly buffer In { uint items[]; };
 layout(set = 0, binding = 1, scalar) writeonly buffer Out { uint results[]; };
-layout(push_constant, scalar) uniform Push { uint count; uint step_; };
+layout(push_constant, scalar) uniform Push { uint count; uint stride; };
 
 void main() {
   const uint index = invocationIndex();
-  if (index < count) results[index] = items[(index + 1u) % count] + step_;
+  if (index < count) results[index] = items[(index + 1u) % count] + stride;
 }

@@ -106,8 +106,8 @@ class CellSmoothing : public test::GpuTest {
          make(std::span<const uvec2>(tree.cells), TexelFormat::uint2),
          make(std::span<const uvec4>(std::vector<uvec4>(4 * tree.groups.size())), TexelFormat::uint4),
          gpu::Buffer(context(), "irradiance", 2 * count * sizeof(vec4))};
-    const gpu::Kernel group(context(), "groups", kernels::CellGroup::code);
-    const gpu::Kernel finish(context(), "cells", kernels::CellSmooth::code);
+    const gpu::Kernel group(context(), "groups", kernels::CellGroup::kCode);
+    const gpu::Kernel finish(context(), "cells", kernels::CellSmooth::kCode);
     gpu::Recorder recorder(context());
     for (std::size_t level = 0; level + 1 < tree.levels.size(); ++level) {
       const uint groups = tree.levels[level + 1] - tree.levels[level];

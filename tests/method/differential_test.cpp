@@ -26,7 +26,7 @@ using test::SceneBuilder;
 template <class Call, class Result, class Item>
 std::vector<Result> runOnScene(gpu::Context& context, const Scene& scene, const std::vector<Item>& items) {
   const DeviceScene deviceScene = uploadScene(context, scene, buildBvh(scene.positions, scene.triangles));
-  const gpu::Kernel kernel(context, "kernel under test", Call::code);
+  const gpu::Kernel kernel(context, "kernel under test", Call::kCode);
   const gpu::Buffer input = gpu::makeBuffer(context, "items", std::span<const Item>(items));
   const gpu::Buffer output(context, "results", items.size() * sizeof(Result));
   gpu::Recorder recorder(context);

@@ -102,7 +102,7 @@ struct LightAnswer {
 
 std::vector<LightAnswer> chooseLights(gpu::Context& context, const MapRig& rig,
                                       const std::vector<LightQuery>& queries) {
-  const gpu::Kernel kernel(context, "light choice", test_kernels::LightChoice::code, specializations(rig.features()));
+  const gpu::Kernel kernel(context, "light choice", test_kernels::LightChoice::kCode, specializations(rig.features()));
   const gpu::Buffer input = gpu::makeBuffer(context, "queries", std::span<const LightQuery>(queries));
   const gpu::Buffer output(context, "answers", queries.size() * sizeof(LightAnswer));
   gpu::Recorder recorder(context);
@@ -144,7 +144,10 @@ TEST_F(EmissionTest, LightsForAPointAreChosenWithTheStatedProbability) {
       ASSERT_NEAR(a.chosenProbability / answers[a.chosen].probability, 1, 1e-5);
     }
     EXPECT_GT(chiSquareTest(counts, expected).pValue, significance);
-    EXPECT_GT(chiSquareTest(rests, std::vector<double>(kBins, kSamples / kBins)).pValue, significance);
+    EXPECT_GT(
+        chiSquareTest(rests, std::vector<double>(kBins, static_cast<double>(kSamples) / static_cast<double>(kBins)))
+            .pValue,
+        significance);
   }
 }
 

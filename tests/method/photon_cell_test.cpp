@@ -17,7 +17,7 @@ class PhotonCells : public test::GpuTest {
  protected:
   /// Slots that cells of these keys get in a table of `slots`, all at once.
   std::vector<uint> find(const std::vector<uvec2>& keys, std::size_t slots) {
-    const gpu::Kernel kernel(context(), "photon cells", test_kernels::PhotonCells::code);
+    const gpu::Kernel kernel(context(), "photon cells", test_kernels::PhotonCells::kCode);
     const std::vector<PhotonCell> empty(slots, PhotonCell{kNone, kNone, kNone});
     const gpu::Buffer table = gpu::makeBuffer(context(), "table", std::span<const PhotonCell>(empty));
     const gpu::Buffer input = gpu::makeBuffer(context(), "keys", std::span<const uvec2>(keys));

@@ -21,10 +21,10 @@ class KernelSet {
   /// The kernel that `Call` calls: of <kernels/...>, or of kernel_variants.h. Throws DeviceError.
   template <class Call>
   [[nodiscard]] const gpu::Kernel& get() {
-    if constexpr (requires { Call::own; })
-      return find(Call::label, Call::code, Call::own);
+    if constexpr (requires { Call::kOwn; })
+      return find(Call::kLabel, Call::kCode, Call::kOwn);
     else
-      return find(Call::label, Call::code, std::nullopt);
+      return find(Call::kLabel, Call::kCode, std::nullopt);
   }
   [[nodiscard]] bool hasAlpha() const { return hasAlpha_; }
 

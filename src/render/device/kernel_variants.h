@@ -15,38 +15,38 @@ namespace importon::kernels {
 
 template <class Call, uint kId, uint kValue>
 struct Variant : Call {
-  static constexpr gpu::Specialization own{kId, kValue};
+  static constexpr gpu::Specialization kOwn{kId, kValue};
 };
 
 struct TraceClosest : Variant<Trace, kSpecAnyHit, 0> {
-  static constexpr std::string_view label = "trace closest";
+  static constexpr std::string_view kLabel = "trace closest";
 };
 struct TraceShadow : Variant<Trace, kSpecAnyHit, 1> {
-  static constexpr std::string_view label = "trace shadow";
+  static constexpr std::string_view kLabel = "trace shadow";
 };
 struct TraceClosestAlpha : Variant<TraceAlpha, kSpecAnyHit, 0> {
-  static constexpr std::string_view label = "trace closest";
+  static constexpr std::string_view kLabel = "trace closest";
 };
 struct TraceShadowAlpha : Variant<TraceAlpha, kSpecAnyHit, 1> {
-  static constexpr std::string_view label = "trace shadow";
+  static constexpr std::string_view kLabel = "trace shadow";
 };
 struct OneScan : Variant<Scan, kSpecWorkgroupSize, kScanThreads> {};  // a single workgroup
 struct ImportonEmit : Variant<EyeEmit, kSpecEyeMode, kEyeImportons> {
-  static constexpr std::string_view label = "importon emit";
+  static constexpr std::string_view kLabel = "importon emit";
 };
 struct ImportonScatter : Variant<EyeScatter, kSpecEyeMode, kEyeImportons> {
-  static constexpr std::string_view label = "importon scatter";
+  static constexpr std::string_view kLabel = "importon scatter";
 };
 struct ImportonFootprint : Variant<ImportonDifferential, kSpecEyeMode, kEyeImportons> {};
 struct PhotonEmitByPower : Variant<PhotonEmit, kSpecIsGuided, 0> {};
 struct PhotonEmitGuided : Variant<PhotonEmit, kSpecIsGuided, 1> {
-  static constexpr std::string_view label = "photon emit guided";
+  static constexpr std::string_view kLabel = "photon emit guided";
 };
 struct CausticScatter : Variant<PhotonScatter, kSpecPhotonKind, kPhotonsCaustic> {
-  static constexpr std::string_view label = "caustic scatter";
+  static constexpr std::string_view kLabel = "caustic scatter";
 };
 struct PhotonScatterGuided : Variant<PhotonScatter, kSpecScatterIsGuided, 1> {
-  static constexpr std::string_view label = "photon scatter guided";
+  static constexpr std::string_view kLabel = "photon scatter guided";
 };
 
 }  // namespace importon::kernels

@@ -325,14 +325,14 @@ Rows runOptions() {
 }  // namespace
 
 const std::vector<OptionRow>& optionTable() {
-  static const Rows table = [] {
+  static const Rows kTable = [] {
     Rows all;
     for (const Rows& rows : {outputOptions(), imageOptions(), stopOptions(), methodOptions(), controlOptions(),
                              emissionOptions(), densityOptions(), quotaOptions(), lookupOptions(), runOptions()})
       all.insert(all.end(), rows.begin(), rows.end());
     return all;
   }();
-  return table;
+  return kTable;
 }
 
 std::string_view headingOf(OptionGroup group) {
@@ -360,23 +360,23 @@ std::string_view headingOf(OptionGroup group) {
 }
 
 const std::vector<TalkSetting>& talkSettings() {
-  static const std::vector<TalkSetting> settings{{"--importons", "80000"},  // the talk's global map
-                                                 {"--photons", "400000"},
-                                                 {"--redistribute", "20"},
-                                                 {"--caustic-density", "25"},  // from here on the program's
-                                                 {"--global-density", "1"},
-                                                 {"--nearest-importons", "200"},
-                                                 {"--lookup", "nearest"},
-                                                 {"--lookup-photons", "80"},
-                                                 {"--quota", "20"},
-                                                 {"--acceptance", "step"},
-                                                 {"--shares", "count"},
-                                                 {"--density-limits", "program"},
-                                                 {"--emission", "power"},
-                                                 {"--indirect-filter", "off"},
-                                                 {"--adaptive-samples", "off"},
-                                                 {"--max-depth", "7"}};
-  return settings;
+  static const std::vector<TalkSetting> kSettings{{"--importons", "80000"},  // the talk's global map
+                                                  {"--photons", "400000"},
+                                                  {"--redistribute", "20"},
+                                                  {"--caustic-density", "25"},  // from here on the program's
+                                                  {"--global-density", "1"},
+                                                  {"--nearest-importons", "200"},
+                                                  {"--lookup", "nearest"},
+                                                  {"--lookup-photons", "80"},
+                                                  {"--quota", "20"},
+                                                  {"--acceptance", "step"},
+                                                  {"--shares", "count"},
+                                                  {"--density-limits", "program"},
+                                                  {"--emission", "power"},
+                                                  {"--indirect-filter", "off"},
+                                                  {"--adaptive-samples", "off"},
+                                                  {"--max-depth", "7"}};
+  return kSettings;
 }
 
 }  // namespace importon
