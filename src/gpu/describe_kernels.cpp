@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 struct Member {
   std::string type, name;
   unsigned offset;  // bytes
+  bool operator==(const Member&) const = default;
 };
 
 struct Struct {
@@ -169,6 +170,8 @@ class Reflection {
       if (spvc_type_get_num_array_dimensions(handle(memberId)) > 0)
         check(spvc_compiler_type_struct_member_array_stride(compiler_, type, i, &stride));
       Struct& known = structs_[result.members.back().type];
+      if (!known.members.empty() && known.members != inner.members)
+        throw std::runtime_error("kernels lay out " + result.members.back().type + " in two ways");
       inner.stride = std::max<std::size_t>(known.stride, stride);
       known = inner;
     }

@@ -99,14 +99,15 @@ Getters listAhead(const FeatureSet& features, const RenderJob& job) {
 const gpu::Kernel& KernelSet::find(std::string_view label, const gpu::KernelCode& code,
                                    std::optional<gpu::Specialization> own) {
   const std::scoped_lock lock(mutex_);
-  const auto found = made_.find(label);
+  const Key key = own ? Key(&code, own->id, own->value) : Key(&code, kNone, 0);
+  const auto found = made_.find(key);
   if (found != made_.end()) return found->second;
   std::vector<gpu::Specialization> constants = constants_;
   if (own) {
     std::erase_if(constants, [&](const gpu::Specialization& s) { return s.id == own->id; });
     constants.push_back(*own);
   }
-  return made_.try_emplace(label, context_, std::string(label), code, constants).first->second;
+  return made_.try_emplace(key, context_, std::string(label), code, constants).first->second;
 }
 
 std::vector<gpu::Specialization> constantsOf(const FeatureSet& features, const RenderJob& job, bool isCpu) {

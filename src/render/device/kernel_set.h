@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 
 #include "gpu/kernel.h"
 #include "render/features/feature_set.h"
@@ -29,13 +30,15 @@ class KernelSet {
   [[nodiscard]] bool hasAlpha() const { return hasAlpha_; }
 
  private:
+  /// The code, and the constant of its own with its value: none has id kNone.
+  using Key = std::tuple<const gpu::KernelCode*, std::uint32_t, std::uint32_t>;
   const gpu::Kernel& find(std::string_view label, const gpu::KernelCode& code, std::optional<gpu::Specialization> own);
 
   gpu::Context& context_;
   std::vector<gpu::Specialization> constants_;
   bool hasAlpha_;
   std::mutex mutex_;  // of the next
-  std::map<std::string_view, gpu::Kernel> made_;
+  std::map<Key, gpu::Kernel> made_;
 };
 
 /// The constants of all kernels of a render; two renders with the same can share kernels.

@@ -51,23 +51,23 @@ void overTiles(const Stage& stage, uint counter, const typename Call::Push& push
   runOver<Call>(stage, counter, offsetof(DispatchArguments, tiles), push, owners...);
 }
 
-/// Traces the rays of a queue, the workspace's unless `owners` have others, to their nearest hits.
+/// Traces the rays of a queue, by the kernel for scenes with holes or for others.
+template <class Opaque, class Alpha, class... Owners>
+void overRays(const Stage& stage, uint counter, const Owners&... owners) {
+  constexpr std::size_t kRays = offsetof(DispatchArguments, rays);
+  if (stage.kernels.hasAlpha())
+    runOver<Alpha>(stage, counter, kRays, {.source = counter}, owners...);
+  else
+    runOver<Opaque>(stage, counter, kRays, {.source = counter}, owners...);
+}
+/// To their nearest hits, or to anything in their way. The rays are the workspace's unless `owners` have others.
 template <class... Owners>
 void traceClosest(const Stage& stage, uint counter, const Owners&... owners) {
-  constexpr std::size_t kRays = offsetof(DispatchArguments, rays);
-  if (stage.kernels.hasAlpha())
-    runOver<kernels::TraceClosestAlpha>(stage, counter, kRays, {.source = counter}, owners...);
-  else
-    runOver<kernels::TraceClosest>(stage, counter, kRays, {.source = counter}, owners...);
+  overRays<kernels::TraceClosest, kernels::TraceClosestAlpha>(stage, counter, owners...);
 }
-/// To anything in their way.
 template <class... Owners>
 void traceShadow(const Stage& stage, uint counter, const Owners&... owners) {
-  constexpr std::size_t kRays = offsetof(DispatchArguments, rays);
-  if (stage.kernels.hasAlpha())
-    runOver<kernels::TraceShadowAlpha>(stage, counter, kRays, {.source = counter}, owners...);
-  else
-    runOver<kernels::TraceShadow>(stage, counter, kRays, {.source = counter}, owners...);
+  overRays<kernels::TraceShadow, kernels::TraceShadowAlpha>(stage, counter, owners...);
 }
 
 /// counters[counter] = min(value + counters[a] + counters[b], limit)
