@@ -62,7 +62,8 @@ void writeImporton(uint at, Surface s, Ray ray, PathState path, bool readsGlobal
   records[at] = Record(vec3(mean(path.throughput)), readsGlobal ? kRecordGlobal : kRecordCaustic);
 }
 
-void askForLookup(uint slot, Surface s, Ray ray, Hit hit, inout PathState path, bool readsGlobal, bool isRest, float radius) {
+void askForLookup(uint slot, Surface s, Ray ray, Hit hit, inout PathState path, bool readsGlobal, bool isRest,
+                  float radius) {
   path.flags |= kPathLookup | (readsGlobal ? kPathLookupGlobal : 0u) | (isRest ? kPathLookupRest : 0u);
   if ((path.flags & kPathScattered) != 0u) path.flags |= kPathLookupDeep;
   lookups[atomicAdd(counters[kCounterLookups], 1u)] = slot;
@@ -71,7 +72,8 @@ void askForLookup(uint slot, Surface s, Ray ray, Hit hit, inout PathState path, 
 
 /// True if the path, scattered before, may read the global map at s instead of going on. Reads it if it is one of
 /// cells, and leaves the other lobes of b, if any, for the path to go on with; else finds the lookup radius.
-bool readsGlobalMap(uint slot, inout PathState path, Surface s, Hit hit, Bsdf b, bool knowsImportance, out float radius) {
+bool readsGlobalMap(uint slot, inout PathState path, Surface s, Hit hit, Bsdf b, bool knowsImportance,
+                    out float radius) {
   radius = 0.0;
   if (kEyeMode == kEyePath || !kHasGlobalMap || (path.flags & kPathScattered) == 0u) return false;
   const bool isLast = (path.flags & kPathDepthMask) >= params.maxDepth;
@@ -157,7 +159,8 @@ bool scatterEye(uint slot, inout PathState path, Surface s, Bsdf b, mat3 frame, 
   path.throughput *= weight;
   const float depth = float(path.flags & kPathDepthMask);
   if (depth >= 3.0) {
-    const float survival = min(0.95, maxComponent(path.throughput) / (kEyeMode == kEyeImportons ? params.importonFlux : 1.0));
+    const float survival =
+        min(0.95, maxComponent(path.throughput) / (kEyeMode == kEyeImportons ? params.importonFlux : 1.0));
     if (!(choice.y < survival)) return false;
     path.throughput /= survival;
   }

@@ -54,7 +54,9 @@ float lookupDensity(MapSettings map, vec3 position, vec3 normal) {
 }
 
 /// Radius of the lookup that holds M photons where the map has its required density, m.
-float lookupRadius(MapSettings map, float density) { return radiusHolding(map.lookupPhotons, density, params.gridExtent); }
+float lookupRadius(MapSettings map, float density) {
+  return radiusHolding(map.lookupPhotons, density, params.gridExtent);
+}
 
 /// Radius of the quota: holds Q photons, m.
 float quotaRadius(float required) {
@@ -62,6 +64,8 @@ float quotaRadius(float required) {
 }
 
 /// Photons within the quota radius at the required density: Q, or fewer where the radius is bounded; at least 1.
-float quotaAt(float required, float radius) { return clamp(required * kPi * radius * radius, 1.0, params.quotaPhotons); }
+float quotaAt(float required, float radius) {
+  return clamp(required * kPi * radius * radius, 1.0, params.quotaPhotons);
+}
 
 #endif

@@ -9,8 +9,8 @@ float hitsAskedAt(MapSettings map, uint site) {
   return requiredDensityAt(map, site) * map.importonFlux * float(kImportonsPerSite) / importance;
 }
 
-/// How much a place counts, 0 to 1, by its importance over the scene's mean: all that are more important than most count
-/// nearly the same, or, for potential, in proportion up to a bound.
+/// How much a place counts, 0 to 1, by its importance over the scene's mean: all that are more important than most
+/// count nearly the same, or, for potential, in proportion up to a bound.
 const float kMostTimesMean = 16.0;
 
 float weightOfPlace(float importance, float meanImportance, bool isPotential) {

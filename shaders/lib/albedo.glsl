@@ -82,8 +82,8 @@ vec2 glassMeanAlbedo(float alpha, float eta) {
   return eta >= 1.0 ? sides : sides.yx;
 }
 
-/// What a coat that turns light back on the way in or out, whichever is more, takes from light along `cosine` beyond the
-/// way out. x: over a white metal of roughness `alpha`; y: over a white diffuse surface.
+/// What a coat that turns light back on the way in or out, whichever is more, takes from light along `cosine` beyond
+/// the way out. x: over a white metal of roughness `alpha`; y: over a white diffuse surface.
 vec2 coatTaken(float cosine, float alpha, float coatAlpha) {
   uint i, j, k;
   const float x = tablePlace(cosine, kCoatSide, i), y = tablePlace(alpha, kCoatSide, j);

@@ -45,8 +45,8 @@ struct BsdfSample {
   bool isTransmission;
 };
 
-/// Reflectance of the clear dielectric: Fresnel's, moved so that its values at normal and at grazing incidence are those
-/// of KHR_materials_specular. Total reflection stays total.
+/// Reflectance of the clear dielectric: Fresnel's, moved so that its values at normal and at grazing incidence are
+/// those of KHR_materials_specular. Total reflection stays total.
 vec3 clearFresnel(Bsdf b, float cosine) {
   const float exact = fresnelDielectric(cosine, b.eta);
   if (exact >= 1.0) return vec3(1.0);
@@ -78,7 +78,8 @@ float coverReflectance(Bsdf b, float cosine, vec2 albedo) {
 
 /// Light that the microfacets scatter more than once, for rough surfaces. What is missed along wo leaves by the cosine
 /// lobes, weighted by what is missed along wi: reciprocal, and nothing is lost. [Kulla and Conty 2017]
-void addMissed(inout Bsdf b, vec3 metalF0, float metal, vec3 dielectricF0, float dielectric, vec2 albedoOut, float cosOut) {
+void addMissed(inout Bsdf b, vec3 metalF0, float metal, vec3 dielectricF0, float dielectric, vec2 albedoOut,
+               float cosOut) {
   const vec2 mean_ = ggxMeanAlbedo(b.alpha);
   b.missOut = (1.0 - albedoOut.x) / max(1.0 - mean_.x, 1e-6);
   b.missed = metal * multipleReflectance(meanSchlick(metalF0, 1.0), mean_.x) +
@@ -121,7 +122,8 @@ void chooseLobes(inout Bsdf b, float cosOut, vec2 albedoOut) {
     b.pInterface *= passed;
     b.pBelow *= passed;
     b.pCoat = b.coat.turnedOut;
-    if (b.coat.share > 0.0) b.pCosine += mean(b.coat.keptMetal * b.coat.takenMean.x + b.coat.keptBase * b.coat.takenMean.y);
+    if (b.coat.share > 0.0)
+      b.pCosine += mean(b.coat.keptMetal * b.coat.takenMean.x + b.coat.keptBase * b.coat.takenMean.y);
   }
   const float sum = b.pCosine + b.pInterface + b.pBelow + b.pCoat;
   const float scale = sum > 0.0 ? 1.0 / sum : 0.0;
@@ -201,7 +203,9 @@ float diffuseFrom(Bsdf b, float cosIn) {
 void removeDiffuse(inout Bsdf b, float cosOut, out float left) {
   b.diffuse = vec3(0.0);
   const vec2 albedoOut = b.isSmooth ? vec2(1.0, 0.0) : ggxAlbedo(cosOut, b.alpha);
-  left = kHasReflection ? mean(bsdfFresnel(b, cosOut)) * albedoOut.x + (b.isSmooth ? 0.0 : mean(b.missed) * (1.0 - albedoOut.x)) : 0.0;
+  left = kHasReflection
+             ? mean(bsdfFresnel(b, cosOut)) * albedoOut.x + (b.isSmooth ? 0.0 : mean(b.missed) * (1.0 - albedoOut.x))
+             : 0.0;
   if (kHasTransmission && b.clear > 0.0) left = 1.0;
   if (left > 0.0) chooseLobes(b, cosOut, albedoOut);
 }
@@ -225,7 +229,8 @@ vec3 evalCosine(Bsdf b, vec3 wi) {
   if (!b.isSmooth) albedo = ggxAlbedo(abs(wi.z), b.alpha);
   vec3 f = vec3(0.0);
   if (wi.z > 0.0)
-    f = b.diffuse * (b.coverPassed * (1.0 - coverReflectance(b, wi.z, albedo))) + b.missed * (b.missOut * (1.0 - albedo.x));
+    f = b.diffuse * (b.coverPassed * (1.0 - coverReflectance(b, wi.z, albedo))) +
+        b.missed * (b.missOut * (1.0 - albedo.x));
   if (kHasTransmission && b.clear > 0.0 && !b.isSmooth) f += evalClearMissed(b, wi.z, 1.0 - albedo.x);
   return f * (abs(wi.z) / kPi);
 }
@@ -326,7 +331,8 @@ bool sampleInterface(Bsdf b, vec3 wo, float uLobe, vec2 u, inout BsdfSample s) {
     else if (!refractLocal(wo, h, b.eta, s.wi)) return false;
   }
   if (s.isDelta)
-    s.weight = deltaWeight(b, wo, s.wi, isCoat, isCoat ? b.pCoat : b.pInterface * (s.isTransmission ? 1.0 - share : share));
+    s.weight =
+        deltaWeight(b, wo, s.wi, isCoat, isCoat ? b.pCoat : b.pInterface * (s.isTransmission ? 1.0 - share : share));
   return s.isTransmission ? s.wi.z < 0.0 : s.wi.z > 0.0;
 }
 

@@ -21,7 +21,8 @@ Ray cameraRay(Parameters params, vec2 p) {
 
 /// How the ray of unit `direction` moves with its place in the image, by steps of a pixel.
 PathDifferential cameraDifferential(Parameters params, vec3 direction) {
-  const vec3 right = params.cameraRight * (2.0 / float(params.width)), down = params.cameraUp * (-2.0 / float(params.height));
+  const vec3 right = params.cameraRight * (2.0 / float(params.width)),
+             down = params.cameraUp * (-2.0 / float(params.height));
   const Spread none = Spread(vec3(0.0), vec3(0.0), 0.0);
   PathDifferential d = PathDifferential(none, none, none, none, 1.0);
   if (params.cameraIsOrthographic != 0u) {

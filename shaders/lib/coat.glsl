@@ -24,8 +24,8 @@ struct Coat {
   float turnedOut; // share of light along wo that the coat turns back
   float baseAlpha;
   vec2 takenMean;  // of what it takes too much of: from metal, from diffuse light
-  vec3 keptBase;   // of diffuse light and of metal: reflectance times what the coat takes too much of along wo, over the
-  vec3 keptMetal;  // mean of all directions
+  vec3 keptBase;   // of diffuse light and of metal: reflectance times what the coat takes too much of along wo, over
+  vec3 keptMetal;  // the mean of all directions
 };
 
 Coat noCoat() {

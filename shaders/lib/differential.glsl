@@ -39,7 +39,8 @@ NormalField loadNormalField(uint triangle, vec2 uv, bool isFront) {
   const uvec4 indices = triangleTexel(triangle);
   const uvec4 t0 = vertexTexel(3u * indices.x), t1 = vertexTexel(3u * indices.y), t2 = vertexTexel(3u * indices.z);
   if (t0.w == kNone || t1.w == kNone || t2.w == kNone) return f;
-  const vec3 e1 = uintBitsToFloat(t1.xyz) - uintBitsToFloat(t0.xyz), e2 = uintBitsToFloat(t2.xyz) - uintBitsToFloat(t0.xyz);
+  const vec3 e1 = uintBitsToFloat(t1.xyz) - uintBitsToFloat(t0.xyz),
+             e2 = uintBitsToFloat(t2.xyz) - uintBitsToFloat(t0.xyz);
   const float size = max(maxComponent(abs(e1)), maxComponent(abs(e2)));  // squares of small edges may underflow
   const vec3 a = e1 / size, b = e2 / size, across = cross(a, b);
   const float area2 = dot(across, across);
@@ -100,8 +101,10 @@ float footprintArea(PathDifferential d) {
 }
 
 /// A sampled direction on a surface of `normal`: what the path covers so far goes into two vectors of the same
-/// covariance, which turn with the surface; `stepU` and `stepV` lead from `direction`, the next ray's, to its neighbours.
-void scatterDifferential(inout PathDifferential d, vec3 normal, NormalField field, vec3 direction, Spread stepU, Spread stepV) {
+/// covariance, which turn with the surface; `stepU` and `stepV` lead from `direction`, the next ray's, to its
+/// neighbours.
+void scatterDifferential(inout PathDifferential d, vec3 normal, NormalField field, vec3 direction, Spread stepU,
+                         Spread stepV) {
   const mat3 frame = frameAround(normal);
   const vec2 x = (limitedSpread(d.x) * frame).xy, y = (limitedSpread(d.y) * frame).xy;
   const vec2 u = (limitedSpread(d.u) * frame).xy, v = (limitedSpread(d.v) * frame).xy;

@@ -112,7 +112,8 @@ bool isInside(Walk walk, vec3 normal, float radius) {
 
 /// Squared distance of the point at hand, or -1 where it is outside or on another surface.
 float likeDistance(Walk walk, vec3 normal, float radius) {
-  return isInside(walk, normal, radius) && hasLikeNormal(walk.packed, normal, 0.7) ? dot(walk.offset, walk.offset) : -1.0;
+  return isInside(walk, normal, radius) && hasLikeNormal(walk.packed, normal, 0.7) ? dot(walk.offset, walk.offset)
+                                                                                   : -1.0;
 }
 
 /// Leaves the range at work.

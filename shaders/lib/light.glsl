@@ -51,7 +51,8 @@ float lightWeight(uint index, vec3 x) {
   if (kind == kLightSpot) {
     const uvec4 t3 = lightTexel(4u * index + 3u);
     const float cosine = -dot(to, uintBitsToFloat(t1.xyz)) * inversesqrt(max(d2, 1e-30));
-    return mean(uintBitsToFloat(t2.xyz)) * spotFalloff(uintBitsToFloat(t3.z), uintBitsToFloat(t3.w), cosine) / max(d2, 1e-30);
+    return mean(uintBitsToFloat(t2.xyz)) * spotFalloff(uintBitsToFloat(t3.z), uintBitsToFloat(t3.w), cosine) /
+           max(d2, 1e-30);
   }
   if (kind == kLightPoint) return power / (4.0 * kPi * max(d2, 1e-30));
   const bool isBehind = dot(to, uintBitsToFloat(t1.xyz)) > 0.0 && lightTexel(4u * index + 3u).y == 0u;
@@ -59,7 +60,9 @@ float lightWeight(uint index, vec3 x) {
   return power / (kPi * max(d2, uintBitsToFloat(t2.w)));
 }
 
-bool isLightSeen(uvec2 seen, uint index) { return ((index < 32u ? seen.x >> index : seen.y >> (index - 32u)) & 1u) != 0u; }
+bool isLightSeen(uvec2 seen, uint index) {
+  return ((index < 32u ? seen.x >> index : seen.y >> (index - 32u)) & 1u) != 0u;
+}
 
 /// The weight of choosing one of at most kLinearLights lights.
 float weightOfLight(uint index, vec3 x, uvec2 seen) {
@@ -191,7 +194,9 @@ LightSample sampleLight(uint index, float probability, vec3 x, vec2 u) {
       s.target = light.position;
       s.distance = sqrt(d2);
       s.direction = to / s.distance;
-      const float falloff = light.kind == kLightSpot ? spotFalloff(light.cosInner, light.cosOuter, -dot(light.direction, s.direction)) : 1.0;
+      const float falloff = light.kind == kLightSpot
+                                ? spotFalloff(light.cosInner, light.cosOuter, -dot(light.direction, s.direction))
+                                : 1.0;
       s.radiance = light.emission * (falloff / (d2 * probability));
     }
   }
@@ -240,7 +245,8 @@ Emission emitFromLight(uint index, vec2 uPoint, vec2 uDirection, vec3 sceneCentr
     } else if (light.kind == kLightSpot) {
       const vec3 local = sampleCone(uDirection, light.cosOuter);
       e.direction = frameAround(light.direction) * local;
-      e.flux = light.emission * (spotFalloff(light.cosInner, light.cosOuter, local.z) * 2.0 * kPi * (1.0 - light.cosOuter));
+      e.flux =
+          light.emission * (spotFalloff(light.cosInner, light.cosOuter, local.z) * 2.0 * kPi * (1.0 - light.cosOuter));
     } else {
       e.direction = sampleSphere(uDirection);
       e.flux = light.emission * (4.0 * kPi);

@@ -2,8 +2,8 @@
 // knows where its lights are, how much they emit and where to. [Conty Estevez and Kulla 2018]
 // The kernel defines `uvec4 lightTreeTexel(uint index)` before including this file: two per node (centre and radius of
 // its lights' bounds; power, axis and cosine of the half-angle of the cone of their normals, and what it holds), the
-// root first, a node's first child right after it; then the ways from the root to each light, four per texel. And `float
-// unseenLight()`: the worth of lights that no photon has come from to the surroundings, in units of seen ones.
+// root first, a node's first child right after it; then the ways from the root to each light, four per texel. And
+// `float unseenLight()`: the worth of lights that no photon has come from to the surroundings, in units of seen ones.
 #ifndef IMPORTON_LIB_LIGHT_TREE_GLSL
 #define IMPORTON_LIB_LIGHT_TREE_GLSL
 #include "lib/packing.glsl"
@@ -95,7 +95,8 @@ float treeProbability(uint count, uint light, vec3 x, uvec2 seen) {
   for (uint depth = 0u; (content & kTreeLeaf) == 0u; ++depth) {
     const TreeNode a = treeNodeAt(node + 1u, x), b = treeNodeAt(content, x);
     const uint firstWay = way & ((1u << depth) - 1u), secondWay = firstWay | 1u << depth;
-    const float weightA = seenWeight(a, seen, firstWay, depth + 1u), weightB = seenWeight(b, seen, secondWay, depth + 1u);
+    const float weightA = seenWeight(a, seen, firstWay, depth + 1u),
+                weightB = seenWeight(b, seen, secondWay, depth + 1u);
     const float share = weightA / max(weightA + weightB, 1e-38);
     const bool isFirst = ((way >> depth) & 1u) == 0u;
     probability *= isFirst ? share : 1.0 - share;

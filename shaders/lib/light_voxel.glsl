@@ -9,12 +9,13 @@
 // photons, and what is not found yet is noise.
 const uint kCoarserForGroups = 2u;
 
-/// The voxels are shifted, so that the scene's outermost planes and those at round places do not lie between two: a point
-/// and the start of a ray from it, off the surface by its rounding error, must see the same lights.
+/// The voxels are shifted, so that the scene's outermost planes and those at round places do not lie between two: a
+/// point and the start of a ray from it, off the surface by its rounding error, must see the same lights.
 uint lightVoxel(vec3 position, vec3 origin, float extent, uint lights) {
   const float voxels = float(kLightVoxels);
   const uint coarser = lights > kLinearLights ? kCoarserForGroups : 0u;
-  const uvec3 at = uvec3(clamp((position - origin) * ((voxels - 1.0) / extent) + 0.37, vec3(0.0), vec3(voxels - 1.0))) >> coarser;
+  const uvec3 at =
+      uvec3(clamp((position - origin) * ((voxels - 1.0) / extent) + 0.37, vec3(0.0), vec3(voxels - 1.0))) >> coarser;
   return at.x + kLightVoxels * (at.y + kLightVoxels * at.z);
 }
 

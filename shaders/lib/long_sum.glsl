@@ -10,7 +10,8 @@ const uint kNearestAdditions = 4096u;
 float addRandomly(float sum, float value, uint random) {
   precise float result = sum + value;
   precise float added = result - sum;
-  precise float rest = (sum - (result - added)) + (value - added);  // exactly what rounding left out [Knuth 1969, 4.2.2]
+  precise float rest =
+      (sum - (result - added)) + (value - added);  // exactly what rounding left out [Knuth 1969, 4.2.2]
   if (!(abs(rest) > 0.0)) return result;
   const uint step = (rest > 0.0) == (result > 0.0) ? 1u : 0xFFFFFFFFu;  // towards the float on the other side
   const float other = uintBitsToFloat(floatBitsToUint(result) + step);

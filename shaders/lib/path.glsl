@@ -14,7 +14,9 @@ vec3 mediumTransmittance(uint medium, Surface s, float t) {
 bool isSolidInterface(Surface s) { return (s.flags & kMaterialSolid) != 0u && s.transmission > 0.0; }
 
 /// Index of refraction of the inside of a material's solid; kNone: air.
-float mediumIndex(uint medium) { return medium == kNone ? 1.0 : uintBitsToFloat(materialTexel(kMaterialTexels * medium + 4u).x); }
+float mediumIndex(uint medium) {
+  return medium == kNone ? 1.0 : uintBitsToFloat(materialTexel(kMaterialTexels * medium + 4u).x);
+}
 
 // Nested dielectrics: where solids overlap, the one that the path entered last is there. So a liquid that reaches a
 // little into its glass, a glass ball in water and a bubble as a solid of air all come out right.

@@ -7,7 +7,8 @@
 const float kFilterRadius = 1.5;  // pixels, of all filters but the box
 const float kGaussianSigma = 0.5;  // pixels
 
-/// Share of the Blackman-Harris window's area left of x, in -1 .. 1 over its width, and its density there. [Harris 1978]
+/// Share of the Blackman-Harris window's area left of x, in -1 .. 1 over its width, and its density there.
+/// [Harris 1978]
 float blackmanHarrisShare(float x, out float density) {
   const float pi = 3.14159265358979;
   const vec3 a = vec3(0.48829, 0.14128, 0.01168) / 0.35875;
@@ -39,7 +40,8 @@ vec2 pixelPoint(uint filter_, vec2 u) {
     const float r = kGaussianSigma * sqrt(-2.0 * log(1.0 - u.x * (1.0 - exp(range))));
     return 0.5 + r * vec2(cos(2.0 * pi * u.y), sin(2.0 * pi * u.y));
   }
-  if (filter_ == kFilterBlackmanHarris) return 0.5 + kFilterRadius * vec2(drawBlackmanHarris(u.x), drawBlackmanHarris(u.y));
+  if (filter_ == kFilterBlackmanHarris)
+    return 0.5 + kFilterRadius * vec2(drawBlackmanHarris(u.x), drawBlackmanHarris(u.y));
   return u;
 }
 

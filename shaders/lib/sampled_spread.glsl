@@ -60,7 +60,8 @@ void scaleSpread(inout Spread s, float scale) {
 }
 
 /// Steps to the neighbours among `samples` directions drawn as s was: together they cover 1/(samples · s.pdf) sr.
-void sampledSpreads(Bsdf b, vec3 wo, float uLobe, vec2 u, BsdfSample s, float samples, out Spread stepU, out Spread stepV) {
+void sampledSpreads(Bsdf b, vec3 wo, float uLobe, vec2 u, BsdfSample s, float samples, out Spread stepU,
+                    out Spread stepV) {
   const DrawnLobe lobe = drawnLobe(b, uLobe, s);
   stepU = spreadAlong(b, wo, lobe, u, vec2(1.0, 0.0));
   stepV = spreadAlong(b, wo, lobe, u, vec2(0.0, 1.0));

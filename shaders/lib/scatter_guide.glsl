@@ -53,7 +53,8 @@ BsdfSample sampleGuidedBsdf(Bsdf b, vec3 wo, GuidedScatter guided, float uLobe, 
     s = sampleBsdf(b, wo, min((uLobe - guided.share) / (1.0 - guided.share), 0.99999994), u);
   }
   const float own = (1.0 - guided.share) * s.pdf;
-  scale = s.isDelta ? 1.0 / (1.0 - guided.share) : s.pdf / max(own + guided.share * scatterGuidePdf(guided.first, s.wi), 1e-30);
+  scale = s.isDelta ? 1.0 / (1.0 - guided.share)
+                    : s.pdf / max(own + guided.share * scatterGuidePdf(guided.first, s.wi), 1e-30);
   return s;
 }
 

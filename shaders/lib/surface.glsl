@@ -82,8 +82,8 @@ SurfaceTextures sampleTextures(uint base, uint baseColorTexture, vec2 uv0, vec2 
   const uint coatNormalTexture = kHasNormalMaps && kHasClearcoat ? materialTexel(base + 8u).x : kNone;
   const uint normalTexture = kHasNormalMaps ? m6.y : kNone;
   uint left = uint(baseColorTexture != kNone) | uint(m6.x != kNone) << 1 | uint(normalTexture != kNone) << 2 |
-              uint(m6.z != kNone) << 3 | uint(m6.w != kNone) << 4 | uint(m7.x != kNone) << 5 | uint(m7.y != kNone) << 6 |
-              uint(coatNormalTexture != kNone) << 9;
+              uint(m6.z != kNone) << 3 | uint(m6.w != kNone) << 4 | uint(m7.x != kNone) << 5 |
+              uint(m7.y != kNone) << 6 | uint(coatNormalTexture != kNone) << 9;
   if (kHasClearcoat) left |= uint(m7.z != kNone) << 7 | uint(m7.w != kNone) << 8;
   SurfaceTextures t =
       SurfaceTextures(vec3(1.0), vec3(1.0), vec3(1.0), 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, vec3(0.0), vec3(0.0));

@@ -1,5 +1,5 @@
-// Cells of known area on the surfaces: src/render/surface_cache/surface_cells.h. A triangle cut into n parts along each side has n²
-// equal cells, row by row; each row has upright cells and inverted ones between them.
+// Cells of known area on the surfaces: src/render/surface_cache/surface_cells.h. A triangle cut into n parts along each
+// side has n² equal cells, row by row; each row has upright cells and inverted ones between them.
 #ifndef IMPORTON_LIB_SURFACE_CELL_GLSL
 #define IMPORTON_LIB_SURFACE_CELL_GLSL
 

@@ -43,8 +43,10 @@ vec4 sampleTexture(uint index, vec2 uv0, vec2 uv1) {
   const int x0 = wrapTexel(i.x, int(head.y), head.w), x1 = wrapTexel(i.x + 1, int(head.y), head.w);
   const uint y0 = head.x + uint(wrapTexel(i.y, int(head.z), mode.x)) * head.y;
   const uint y1 = head.x + uint(wrapTexel(i.y + 1, int(head.z), mode.x)) * head.y;
-  const vec4 top = mix(decodeTexel(imageTexel(y0 + uint(x0)), isSrgb), decodeTexel(imageTexel(y0 + uint(x1)), isSrgb), f.x);
-  const vec4 bottom = mix(decodeTexel(imageTexel(y1 + uint(x0)), isSrgb), decodeTexel(imageTexel(y1 + uint(x1)), isSrgb), f.x);
+  const vec4 top =
+      mix(decodeTexel(imageTexel(y0 + uint(x0)), isSrgb), decodeTexel(imageTexel(y0 + uint(x1)), isSrgb), f.x);
+  const vec4 bottom =
+      mix(decodeTexel(imageTexel(y1 + uint(x0)), isSrgb), decodeTexel(imageTexel(y1 + uint(x1)), isSrgb), f.x);
   return mix(top, bottom, f.y);
 }
 

@@ -1,6 +1,6 @@
-// Shape of the tables of directional albedo (src/render/device_scene/make_albedo_table.cpp, lib/albedo.glsl). A texel holds two
-// 16-bit fractions. Cosines and roughnesses run over the square roots of 0 to 1, so that grazing directions and
-// sharp lobes have the most entries.
+// Shape of the tables of directional albedo (src/render/device_scene/make_albedo_table.cpp, lib/albedo.glsl). A texel
+// holds two 16-bit fractions. Cosines and roughnesses run over the square roots of 0 to 1, so that grazing directions
+// and sharp lobes have the most entries.
 #ifndef IMPORTON_SHARED_ALBEDO_TABLE_H
 #define IMPORTON_SHARED_ALBEDO_TABLE_H
 #include "glsl_compat.h"

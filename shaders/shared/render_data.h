@@ -107,7 +107,8 @@ SHARED_CONST uint kPathLookupDeep = 0x4000u; // its map lookup counts as indirec
 /// Along each side of the scene: lib/light_voxel.glsl.
 SHARED_CONST uint kLightVoxels = 64u;
 
-/// As many times the paths of a pass that a pixel gets in the mean, one may get at most: src/render/film/adaptive_sampler.h
+/// As many times the paths of a pass that a pixel gets in the mean, one may get at most:
+/// src/render/film/adaptive_sampler.h
 SHARED_CONST uint kMostPathsShare = 8u;
 
 /// Importance is estimated at one of so many importons, from all of them.

@@ -31,7 +31,8 @@ struct Member {
 
 struct Struct {
   std::vector<Member> members;
-  std::size_t stride = 0;  // bytes between its items in an array; 0: there is no array of it
+  std::size_t stride = 0;    // bytes between its items in an array; 0: there is no array of it
+  bool isAmbiguous = false;  // kernels lay it out in different ways, as they may where it is none of the host's
 };
 
 struct Binding {
@@ -170,8 +171,7 @@ class Reflection {
       if (spvc_type_get_num_array_dimensions(handle(memberId)) > 0)
         check(spvc_compiler_type_struct_member_array_stride(compiler_, type, i, &stride));
       Struct& known = structs_[result.members.back().type];
-      if (!known.members.empty() && known.members != inner.members)
-        throw std::runtime_error("kernels lay out " + result.members.back().type + " in two ways");
+      inner.isAmbiguous = known.isAmbiguous || (!known.members.empty() && known.members != inner.members);
       inner.stride = std::max<std::size_t>(known.stride, stride);
       known = inner;
     }
@@ -281,6 +281,8 @@ std::string describeLayouts(const fs::path& shared, const std::map<std::string, 
     for (const auto& [name, layout] : structs) {
       if (!std::regex_search(text, std::regex("\\bstruct " + name + "\\b"))) continue;
       isUsed = true;
+      if (layout.isAmbiguous)
+        throw std::runtime_error(fmt::format("kernels lay out {} of {} in two ways", name, entry.path().string()));
       for (const Member& member : layout.members)
         checks += fmt::format("static_assert(offsetof({}, {}) == {});\n", name, member.name, member.offset);
       if (layout.stride > 0) checks += fmt::format("static_assert(sizeof({}) == {});\n", name, layout.stride);

@@ -50,6 +50,7 @@ void main() {
   s.coatCosOut = wo.z;
   const Bsdf b = makeBsdf(s, wo.z);
   float scale;
-  const BsdfSample sampled = sampleGuidedBsdf(b, wo, GuidedScatter(0u, items[i].share), items[i].uLobe, items[i].u, scale);
+  const BsdfSample sampled =
+      sampleGuidedBsdf(b, wo, GuidedScatter(0u, items[i].share), items[i].uLobe, items[i].u, scale);
   results[i] = Answer(sampled.wi, sampled.weight.x * scale);
 }

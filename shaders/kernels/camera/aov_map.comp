@@ -35,5 +35,6 @@ void main() {
   const uint base = kAovFloats * slot + push.isGlobal;
   aov[base + kAovImportance] = importanceAt(map, s.position, s.geometricNormal);
   aov[base + kAovRequired] = required;
-  aov[base + kAovDensity] = storedDensity(s.position, s.geometricNormal, lookupRadius(map, lookupDensity(map, s.position, s.geometricNormal)));
+  aov[base + kAovDensity] = storedDensity(s.position, s.geometricNormal,
+                                          lookupRadius(map, lookupDensity(map, s.position, s.geometricNormal)));
 }

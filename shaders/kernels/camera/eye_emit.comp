@@ -37,7 +37,8 @@ void main() {
   const vec2 size = vec2(params.width, params.height);
   const bool isImporton = kEyeMode == kEyeImportons;
   const vec2 corner = vec2(id % params.width, id / params.width);
-  Ray ray = cameraRay(params, isImporton ? u * size : corner + (push.isCentred != 0u ? vec2(0.5) : pixelPoint(kPixelFilter, u)));
+  Ray ray = cameraRay(
+      params, isImporton ? u * size : corner + (push.isCentred != 0u ? vec2(0.5) : pixelPoint(kPixelFilter, u)));
   ray.id = hash(eyeStream(id, sampleOfPixel) ^ hash(index));
 
   PathState path;

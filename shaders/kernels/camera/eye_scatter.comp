@@ -57,7 +57,8 @@ void main() {
   const bool hasRead = reads && !kReadsCells;
   bool takesLight = isSpecular && kEyeMode == kEyeImage && (path.flags & kPathScattered) == 0u;
   if (isRough && kEyeMode != kEyeImportons && (!isRest || hasRoughLobe(b))) {
-    if (hasRead || (kHasCausticMap && kEyeMode == kEyeImage)) askForLookup(slot, s, ray, hit, path, hasRead, isRest, radius);
+    if (hasRead || (kHasCausticMap && kEyeMode == kEyeImage))
+      askForLookup(slot, s, ray, hit, path, hasRead, isRest, radius);
     // At its last vertex a path in the path tracer takes no more light: that would be an event too many.
     const bool isLast = kEyeMode == kEyePath && (path.flags & kPathDepthMask) >= params.maxDepth;
     takesLight = !hasRead && !isLast;

@@ -32,6 +32,7 @@ void main() {
   const float flux = mean(records[at].flux) * p.density * float(map.photonsPerPass) / params.totalPower;
   float share = weightOfPlace(importance, push.meanImportance, push.isPotential != 0u);
   if (push.hitsPerPass > 0.0 && site != kNone) share *= deficitAt(map, site, push.hitsPerPass);
-  const uint first = (photon & 1u) * params.lightCount * push.bins * push.bins;  // photons of each half check the other's
+  const uint first =
+      (photon & 1u) * params.lightCount * push.bins * push.bins;  // photons of each half check the other's
   atomicAdd(sums[first + p.cell], uint(min(share * flux * flux / p.density, 256.0) * kGuideUnits));
 }

@@ -40,7 +40,8 @@ void main() {
   path.id = item;
   path.medium = path.outerMedium = path.source = kNone;
   path.pdfSolidAngle = path.lightWeight = path.distance = 0.0;
-  rays[slot] = Ray(uintBitsToFloat(point.xyz) + normal * (kOffset * params.gridExtent), kInfinity, direction, hash(index));
+  rays[slot] =
+      Ray(uintBitsToFloat(point.xyz) + normal * (kOffset * params.gridExtent), kInfinity, direction, hash(index));
   paths[slot] = path;
   queue[slot] = slot;
 }

@@ -37,7 +37,8 @@ void main() {
     const float d2 = likeDistance(walk, normal, radius);
     if (d2 < 0.0 || d2 >= limit) continue;
     // Of the footprint density g, and w pixels for each importon, there are g/w per m².
-    const float density = footprints[selection[texelFetch(storedOrder, int(walk.index)).x / uint(bitCount(push.levels))]];
+    const float density =
+        footprints[selection[texelFetch(storedOrder, int(walk.index)).x / uint(bitCount(push.levels))]];
     const float weight = texelFetch(weights, int(walk.index)).x;
     const float area = min(kSpokenFor * weight / max(density, 1e-30), kPi * limit);
     if (kPi * d2 >= area) continue;

@@ -24,7 +24,8 @@ float logSpecular(Bsdf b, DrawnLobe lobe, float cosine) {
   return log(max(lobe.isTransmission ? 1.0 - mean(clearFresnel(b, cosine)) : mean(bsdfFresnel(b, cosine)), 1e-6));
 }
 
-void bend(inout PathDifferential d, Surface s, NormalField field, Bsdf b, vec3 wo, vec3 direction, float uLobe, BsdfSample sampled) {
+void bend(inout PathDifferential d, Surface s, NormalField field, Bsdf b, vec3 wo, vec3 direction, float uLobe,
+          BsdfSample sampled) {
   const DrawnLobe lobe = drawnLobe(b, uLobe, sampled);
   const float low = max(wo.z - 1e-3, 1e-4), high = min(wo.z + 1e-3, 1.0);
   SpecularEvent e;

@@ -1,6 +1,6 @@
 #version 460
-// Reads precomputed irradiance where eye paths asked for a map lookup on a surface that reflects nearly by Lambert's law:
-// that of the nearest photon or importon. Other lookups, and those without one near, are left to map_lookup.
+// Reads precomputed irradiance where eye paths asked for a map lookup on a surface that reflects nearly by Lambert's
+// law: that of the nearest photon or importon. Other lookups, and those without one near, are left to map_lookup.
 // [Christensen 1999]
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/scene.glsl"
@@ -55,7 +55,8 @@ void main() {
   MapSettings map = params.causticMap;
   if (push.isGlobal != 0u) map = params.globalMap;
   uint at;
-  if (push.arePhotons != 0u) at = nearestPhoton(s, lookupRadius(map, lookupDensity(map, s.position, s.geometricNormal)));
+  if (push.arePhotons != 0u)
+    at = nearestPhoton(s, lookupRadius(map, lookupDensity(map, s.position, s.geometricNormal)));
   else at = nearestSite(map, s);
   if (at == kNone) return;
   float pdf;

@@ -53,7 +53,8 @@ void main() {
     if (push.isGlobal != 0u) map = params.globalMap;
     radius = lookupRadius(map, lookupDensity(map, s.position, s.geometricNormal));
   }
-  const vec3 light = vertex.throughput * reflectedRadiance(s, vertex.direction, radius, (flags & kPathLookupRest) != 0u);
+  const vec3 light =
+      vertex.throughput * reflectedRadiance(s, vertex.direction, radius, (flags & kPathLookupRest) != 0u);
   // kPathLookupDeep: the vertex was reached by a gather ray.
   if ((flags & kPathLookupDeep) != 0u) pathLight[slot].indirect += light;
   else pathLight[slot].caustic += light;

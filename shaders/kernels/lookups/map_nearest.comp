@@ -17,7 +17,9 @@ layout(push_constant, scalar) uniform Push {
 
 /// Squared distance of the point at hand, or -1 if it lies on another surface.
 float countedDistance(Walk walk, vec3 normal, float radius) {
-  return isInside(walk, normal, radius) && hasLikeNormal(walk.packed, normal, kLikeNormal) ? dot(walk.offset, walk.offset) : -1.0;
+  return isInside(walk, normal, radius) && hasLikeNormal(walk.packed, normal, kLikeNormal)
+             ? dot(walk.offset, walk.offset)
+             : -1.0;
 }
 
 #include "lib/nearest.glsl"
@@ -56,7 +58,8 @@ bool findNearest(Surface s, out Walk walk, out float radius, out Shell shell) {
     walk = beginWalkLevels(frame, s.position, s.geometricNormal, radius, 1u << last);
     shell = beginShell(radius);
   }
-  while (isFound && shell.between > 1u && shell.shift > kFinestShift) narrow(walk, s.geometricNormal, radius, push.nearest, shell);
+  while (isFound && shell.between > 1u && shell.shift > kFinestShift)
+    narrow(walk, s.geometricNormal, radius, push.nearest, shell);
   return isFound;
 }
 

@@ -30,7 +30,8 @@ void main() {
     density *= seenShare(mapPointDirection(importonPoint(importons.first).w), mapPointDirection(point.packed), normal);
   const uint lightClass = (kind & kRecordGlossy) != 0u ? 1u + directionClass(mapPointDirection(point.packed)) : 0u;
   const uint level = cellLevel(params.gridExtent, normal, density);
-  const uint slot = findCell(cellKey(point.position - params.gridOrigin, params.gridExtent, level, directionClass(normal), lightClass));
+  const uint slot = findCell(
+      cellKey(point.position - params.gridOrigin, params.gridExtent, level, directionClass(normal), lightClass));
   if (slot != kNone) atomicMin(photonCells[slot].photon, kCellClaim | (kind >> kRecordRankShift));
   homes[i] = slot;
   selectedPoints[i] = point;

@@ -52,9 +52,11 @@ void main() {
   const uint levels = counters[push.isBatch != 0u ? kCounterLevels : kCounterStoredLevels];
   const GridFrame frame = storedFrame();
   // Where light is plentiful the own cell is enough to reject.
-  uint count = countNeighbours(beginWalkCell(frame, point.position, mapPointLevel(point.packed)), normal, radius, quota, i, before);
+  uint count = countNeighbours(beginWalkCell(frame, point.position, mapPointLevel(point.packed)), normal, radius, quota,
+                               i, before);
   if (count < quota)
-    count = countNeighbours(beginWalk(frame, levels, point.position, normal, radius, radius), normal, radius, quota, i, before);
+    count = countNeighbours(beginWalk(frame, levels, point.position, normal, radius, radius), normal, radius, quota, i,
+                            before);
   neighbours[i] = count;
   keep[i] = uint(isAccepted(count, share, i));
 }

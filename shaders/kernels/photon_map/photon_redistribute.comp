@@ -45,10 +45,11 @@ uint takeReceivers(Walk walk, GridFrame frame, Giver giver, float radius) {
 uint findReceivers(MapPoint point, Giver giver, float radius) {
   const GridFrame frame = storedFrame();
   // Those of the own cell tell how far the nearest ones can be.
-  const uint near = takeReceivers(beginWalkCell(frame, point.position, mapPointLevel(point.packed)), frame, giver, radius);
+  const uint near =
+      takeReceivers(beginWalkCell(frame, point.position, mapPointLevel(point.packed)), frame, giver, radius);
   const float reach = near == push.receivers ? min(radius, sqrt(distances[near - 1u]) * 1.0001) : radius;
-  return takeReceivers(beginWalk(frame, counters[kCounterStoredLevels], point.position, giver.normal, reach, radius), frame,
-                       giver, reach);
+  return takeReceivers(beginWalk(frame, counters[kCounterStoredLevels], point.position, giver.normal, reach, radius),
+                       frame, giver, reach);
 }
 
 void main() {

@@ -25,7 +25,8 @@ void main() {
   const uint hits = pilotHits(expectedCell(point.position, normal, density / params.densityScale, area));
   const float probability = storageProbability(density, area, hits, push.floorProbability);
   const uint rank = records[selection[i]].kind >> kRecordRankShift;
-  const float u = unitFloat(hashCombine(hashCombine(params.seed, kStreamStorage + push.isGlobal), hashCombine(params.pass, rank)));
+  const float u =
+      unitFloat(hashCombine(hashCombine(params.seed, kStreamStorage + push.isGlobal), hashCombine(params.pass, rank)));
   keep[i] = uint(u < probability);
   required[i] = 1.0 / probability;
   selectedPoints[i] = point;

@@ -17,6 +17,7 @@ void main() {
   if (push.isGlobal != 0u) map = params.globalMap;
   const NearImportons importons = importonsAt(importonFrame(), map.importonLevels, point.position, normal);
   float area;
-  const uint slot = findCell(expectedCell(point.position, normal, requiredDensityAt(map, importons.first) / params.densityScale, area));
+  const uint slot = findCell(
+      expectedCell(point.position, normal, requiredDensityAt(map, importons.first) / params.densityScale, area));
   if (slot != kNone) atomicAdd(photonCells[slot].photon, 1u);
 }
