@@ -137,6 +137,12 @@ void sampleDirectLight(uint slot, inout PathState path, Surface s, Bsdf b, mat3 
   if (atomicAdd(counters[kSumRaysShadow], 1u) == 0xFFFFFFFFu) atomicAdd(counters[kSumRaysShadow + 1u], 1u);
 }
 
+/// Notes what the camera sees.
+void beginPath(uint slot, Surface s) {
+  pathLight[slot].firstPosition = s.position;
+  pathLight[slot].firstNormal = s.geometricNormal;
+}
+
 /// Notes where and with which weight the path gathers indirect light.
 void beginGather(uint slot, PathState path, Surface s) {
   pathLight[slot].modulation = path.throughput;

@@ -12,9 +12,9 @@ namespace {
 
 /// A first guess of the seconds that resolving and writing the image takes.
 double guessFinish(const RenderJob& job, std::uint64_t pixels) {
-  constexpr double kFilterSeconds = 1.5e-6, kWriteSeconds = 4e-7;  // per pixel; per pixel and layer
+  constexpr double kFilterSeconds = 3e-6, kWriteSeconds = 4e-7;  // per pixel; per pixel and layer
   const double layers = 1 + static_cast<double>(job.aovs.size()) + (job.png.empty() ? 0 : 1);
-  return static_cast<double>(pixels) * (kWriteSeconds * layers + (job.filtersIndirect ? kFilterSeconds : 0));
+  return static_cast<double>(pixels) * (kWriteSeconds * layers + (job.sharesLight ? kFilterSeconds : 0));
 }
 
 RenderProgress describeProgress(const Renderer& renderer, const StopRule& rule, int passes, int maxPasses,

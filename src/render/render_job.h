@@ -68,7 +68,7 @@ struct RenderJob {
   bool choosesLookups = false;          // M by what a pilot shows, for each map that lookups read
   std::optional<int> nearestImportons;  // M of the importance estimate
   std::optional<int> gather;            // final gather rays per pixel and pass
-  bool filtersIndirect = true;          // --indirect-filter auto, off
+  bool sharesLight = true;              // --indirect-filter auto, off
   bool isAdaptive = true;               // more camera paths where the image is noisier
   int maxDepth = 16;                    // scattering events
   std::vector<std::string> aovs;

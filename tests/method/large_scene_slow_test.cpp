@@ -71,7 +71,7 @@ TEST_F(LargeScene, OfTenMillionTrianglesRenders) {
   RenderJob job;
   job.passes = 1;
   job.photons = 1u << 14;
-  job.filtersIndirect = false;
+  job.sharesLight = false;
   const Scene scene = finelyCutBox(913, 32, 24);
   ASSERT_GE(scene.triangles.size(), 10'000'000u);
   const RenderResult result = test::renderScene(scene, job);

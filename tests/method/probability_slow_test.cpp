@@ -30,7 +30,7 @@ TEST_F(ProbabilityImage, RendersTheMeanOfTheUncontrolledMap) {
   job.importons = 1u << 10;
   job.globalDensity = 0.2;
   job.gather = 16;
-  job.filtersIndirect = false;
+  job.sharesLight = false;
   job.emission = EmissionChoice::power;
   job.gatherFrom = GatherSource::photons;
   job.control = DensityControl::probability;

@@ -34,7 +34,7 @@ class TalkFigures : public test::GpuTest {
     job.importons = 80'000;
     job.photons = 400'000;
     job.gather = 4;
-    job.filtersIndirect = false;
+    job.sharesLight = false;
     job.gatherFrom = GatherSource::photons;
     return job;
   }

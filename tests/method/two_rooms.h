@@ -29,7 +29,7 @@ namespace importon::test {
   job.importons = 1u << 13;
   job.maxDepth = 8;
   job.gather = 4;
-  job.filtersIndirect = false;
+  job.sharesLight = false;
   job.emission = EmissionChoice::power;
   job.gatherFrom = GatherSource::photons;
   return job;

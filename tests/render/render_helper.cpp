@@ -79,7 +79,7 @@ RenderJob makeJob(Integrator integrator, int passes, std::uint32_t seed) {
   job.integrator = integrator;
   job.passes = passes;
   job.seed = seed;
-  job.filtersIndirect = false;
+  job.sharesLight = false;
   if (integrator == Integrator::photon) {
     job.photons = 1u << 13;
     job.importons = 1u << 11;

@@ -85,6 +85,7 @@ INSTANTIATE_TEST_SUITE_P(All, OwnScenes,
                                            Expectation{"glass_caustic", 57658, 2, 0.0025f, 1750, 640, 480, false},
                                            Expectation{"rooms", 96220, 24, 3.0f, 90, 640, 480, true},
                                            Expectation{"door_slit", 24674, 2, 0.09f, 16000, 640, 480, true},
+                                           Expectation{"gallery", 5514, 2, 0.25f, 385, 640, 480, true},
                                            Expectation{"ring", 24580, 2, 0.01f, 1220, 640, 480, false},
                                            Expectation{"pool", 34302, 2, 0.09f, 3450, 640, 480, false}),
                          [](const auto& instance) { return std::string(instance.param.name); });

@@ -171,7 +171,7 @@ class RandomJob : Dice {
     if (oneIn(2)) setPhotons(job);
     if (oneIn(3)) job.gather = 1 + below(4);
     if (oneIn(3)) job.maxDepth = 1 + below(40);
-    job.filtersIndirect = oneIn(2);
+    job.sharesLight = oneIn(2);
     job.isAdaptive = oneIn(2);
     if (job.gatherFrom == GatherSource::cells) leaveOutPhotonOptions(job);
     return job;

@@ -82,7 +82,7 @@ TEST_F(ErrorSlopes, SlowOfTheDefaultImageDoesNotStall) {
                        "MSE falls at least as passes^(-2/3 + 0.1)");
   RenderJob job = makeJob(Integrator::photon, 1);
   job.maxDepth = 40;
-  job.filtersIndirect = true;
+  job.sharesLight = true;
   const double found = slope(job, glowingRoom(), 4, 64, 2);
   EXPECT_LE(found, -2.0 / 3 + 0.1);
   listed.note("slope " + std::to_string(found), 1);

@@ -47,7 +47,7 @@ TEST(CommandLine, RendersWithDefaults) {
   EXPECT_EQ(command.job.control, DensityControl::density);
   EXPECT_EQ(command.job.causticDensity, defaults.causticDensity);
   EXPECT_EQ(command.job.redistribute, defaults.redistribute);
-  EXPECT_TRUE(command.job.filtersIndirect);
+  EXPECT_TRUE(command.job.sharesLight);
   EXPECT_EQ(command.verbosity, Log::Verbosity::normal);
   EXPECT_EQ(command.job.commandLine, words("render room.gltf -o room.exr"));
 }
@@ -66,7 +66,7 @@ TEST(CommandLine, TalkSetsWhatIsNotGiven) {
   EXPECT_EQ(talk.lookupPhotons, 80);
   EXPECT_EQ(talk.emission, EmissionChoice::power);
   EXPECT_TRUE(talk.hasProgramLimits);
-  EXPECT_FALSE(talk.filtersIndirect);
+  EXPECT_FALSE(talk.sharesLight);
   const RenderJob other = parseRender("a.gltf --redistribute 4 -o o.exr --talk --lookup radius --max-depth 16").job;
   EXPECT_EQ(other.redistribute, 4);
   EXPECT_EQ(other.lookup, MapLookup::radius);
@@ -143,7 +143,7 @@ TEST(CommandLine, TakesEveryOptionOfRender) {
   EXPECT_EQ(job.globalDensity, 2);
   EXPECT_EQ(job.redistribute, 4);
   EXPECT_EQ(job.gather, 3);
-  EXPECT_FALSE(job.filtersIndirect);
+  EXPECT_FALSE(job.sharesLight);
   EXPECT_EQ(job.maxDepth, 5);
   EXPECT_EQ(job.aovs, (std::vector<std::string>{"albedo", "N", "importance.caustic"}));
   EXPECT_EQ(job.seed, 42u);

@@ -37,7 +37,7 @@ const std::map<std::string, Folders> kMayInclude{
 // what is plain data.
 const std::vector<std::string> kRenderFloors{"options", "features",      "plan",       "resume",     "device_scene",
                                              "device",  "lists",         "importance", "photon_map", "guiding",
-                                             "photons", "surface_cache", "film",       "camera"};
+                                             "photons", "surface_cache", "filter",     "film",       "camera"};
 const std::set<std::string> kRenderData{"render_job.h", "render_stats.h", "map_kind.h"};
 
 struct Include {

@@ -55,5 +55,7 @@ void main() {
   rays[slot] = ray;
   paths[slot] = path;
   queue[slot] = slot;
-  if (!isImporton) pathLight[slot] = PathLight(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0u);
+  if (isImporton) return;
+  const vec3 none = vec3(0.0);
+  pathLight[slot] = PathLight(none, none, none, none, none, none, none, none, 0u);
 }

@@ -50,6 +50,8 @@ void main() {
     add(pixel.modulation, light.modulation);
     add(pixel.position, light.position);
     add(pixel.normal, light.normal);
+    add(pixel.firstPosition, light.firstPosition * float(light.gathers));
+    add(pixel.firstNormal, light.firstNormal * float(light.gathers));
     const vec3 sum = light.direct + light.caustic + light.indirect;
     add(pixel.square, sum * sum);
     const float found = mean(light.direct + light.caustic);

@@ -22,7 +22,7 @@ void CameraPass::gather(int pass, const PassSums& before, const EyeMaps& maps) {
   const std::uint32_t samples = context_.now.samples;
   if (plan.isAdaptive && AdaptiveSampler::learnsBefore(pass))
     sampler_.learn(film_.download(), before.evenSamples, before.oddSamples,
-                   context_.job.filtersIndirect ? kFilteredShare : 1.0f);
+                   context_.job.sharesLight ? kFilteredShare : 1.0f);
   for (FilmTile& tile : film_.tiles()) {
     const auto trace = [&](const EyeSamples& some) {
       traceImage(context_.stage(), maps, some, tile.first, tile.count, context_.parameters.maxDepth, tile.pixels,
@@ -45,7 +45,7 @@ void CameraPass::gather(int pass, const PassSums& before, const EyeMaps& maps) {
 FilmLayers CameraPass::read(const PassSums& done) const {
   return resolveFilm(film_.download(),
                      {static_cast<int>(context_.parameters.width), sampler_.counts(done.evenSamples, done.oddSamples),
-                      context_.job.filtersIndirect && context_.hasMaps(), context_.job.threads});
+                      context_.job.sharesLight && context_.hasMaps(), context_.job.threads});
 }
 
 std::vector<float> CameraPass::traceAovs(const EyeMaps& maps) const {

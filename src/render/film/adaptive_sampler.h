@@ -1,33 +1,14 @@
 /// How many camera paths each pixel gets: more where the image is noisier.
 #pragma once
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "render/plan/sample_counts.h"
 #include "shared/render_data.h"
 
 namespace importon {
-
-/// Paths that went through pixels, in each half of the film (even and odd passes).
-struct SampleCounts {
-  std::uint64_t evenSamples = 0, oddSamples = 0;      // per pixel in the mean over the image
-  std::span<const std::int32_t> evenExtra, oddExtra;  // by pixel, beyond these; empty: none
-
-  /// Of the even half in the image.
-  [[nodiscard]] float evenShare() const {
-    return static_cast<float>(static_cast<double>(evenSamples) /
-                              static_cast<double>(std::max<std::uint64_t>(evenSamples + oddSamples, 1)));
-  }
-  [[nodiscard]] float even(std::size_t pixel) const { return of(evenSamples, evenExtra, pixel); }
-  [[nodiscard]] float odd(std::size_t pixel) const { return of(oddSamples, oddExtra, pixel); }
-
- private:
-  static float of(std::uint64_t samples, std::span<const std::int32_t> extra, std::size_t pixel) {
-    return static_cast<float>(static_cast<std::int64_t>(samples) + (extra.empty() ? 0 : extra[pixel]));
-  }
-};
 
 /// Shares out the paths of a pass by the noise per pixel that earlier passes show. How many paths a half of the film
 /// gets where depends on the other half alone: a half's mean over its own paths stays unbiased, whatever their number.

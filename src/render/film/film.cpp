@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "fmt/format.h"
 #include "render/film/error_estimate.h"
-#include "render/film/indirect_filter.h"
+#include "render/filter/light_filter.h"
 
 namespace importon {
 namespace {
@@ -52,25 +52,30 @@ std::vector<FilmPixel> Film::download() const {
 
 namespace {
 
-/// Light of both halves as means over their passes.
-struct HalfMeans {
-  std::vector<vec3> even, odd;
-};
-
 float inverse(float samples) { return samples > 0 ? 1 / samples : 0.0f; }
 
-HalfMeans indirectMeans(std::span<const FilmPixel> halves, const FilmReading& reading) {
+/// The parts of a pixel's light, each in both halves, as means over their paths.
+struct LightParts {
+  FilteredLight direct, caustic, indirect;
+};
+
+FilteredLight meansOf(std::span<const FilmPixel> halves, const SampleCounts& counts, vec3 FilmPixel::*light) {
   const std::size_t pixels = halves.size() / 2;
-  if (reading.filtersIndirect && reading.counts.oddSamples > 0) {
-    FilteredIndirect filtered = filterIndirect(halves, reading.width, reading.counts, reading.threads);
-    return {std::move(filtered.even), std::move(filtered.odd)};
-  }
-  HalfMeans means{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
+  FilteredLight means{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
   for (std::size_t i = 0; i < pixels; ++i) {
-    means.even[i] = halves[i].indirect * inverse(reading.counts.even(i));
-    means.odd[i] = halves[pixels + i].indirect * inverse(reading.counts.odd(i));
+    means.even[i] = halves[i].*light * inverse(counts.even(i));
+    means.odd[i] = halves[pixels + i].*light * inverse(counts.odd(i));
   }
   return means;
+}
+
+LightParts readParts(std::span<const FilmPixel> halves, const FilmReading& reading) {
+  if (reading.sharesLight && reading.counts.oddSamples > 0) {
+    LightFilter filter(halves, reading.width, reading.counts, reading.threads);
+    return {filter.clean(&FilmPixel::direct), filter.clean(&FilmPixel::caustic), filter.clean(&FilmPixel::indirect)};
+  }
+  const auto read = [&](vec3 FilmPixel::*light) { return meansOf(halves, reading.counts, light); };
+  return {read(&FilmPixel::direct), read(&FilmPixel::caustic), read(&FilmPixel::indirect)};
 }
 
 /// Of the mean of a half's paths.
@@ -87,28 +92,27 @@ FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& rea
   const SampleCounts& counts = reading.counts;
   const float share = counts.evenShare();
   const auto mix = [share](const vec3& even, const vec3& odd) { return even * share + odd * (1 - share); };
-  HalfMeans means = indirectMeans(halves, reading);
-  HalfMeans raw{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
+  const LightParts parts = readParts(halves, reading);
+  FilteredLight shown{std::vector<vec3>(pixels), std::vector<vec3>(pixels)}, raw = shown;
   FilmLayers layers;
   for (auto* layer : {&layers.total, &layers.direct, &layers.caustic, &layers.indirect, &layers.variance})
     layer->resize(pixels);
   for (std::size_t i = 0; i < pixels; ++i) {
     const FilmPixel &a = halves[i], &b = halves[pixels + i];
-    const float perEven = inverse(counts.even(i)), perOdd = inverse(counts.odd(i));
-    layers.direct[i] = mix(a.direct * perEven, b.direct * perOdd);
-    layers.caustic[i] = mix(a.caustic * perEven, b.caustic * perOdd);
-    layers.indirect[i] = mix(means.even[i], means.odd[i]);
+    layers.direct[i] = mix(parts.direct.even[i], parts.direct.odd[i]);
+    layers.caustic[i] = mix(parts.caustic.even[i], parts.caustic.odd[i]);
+    layers.indirect[i] = mix(parts.indirect.even[i], parts.indirect.odd[i]);
     layers.total[i] = layers.direct[i] + layers.caustic[i] + layers.indirect[i];
     layers.variance[i] =
         varianceOf(a, counts.even(i)) * (share * share) + varianceOf(b, counts.odd(i)) * ((1 - share) * (1 - share));
-    raw.even[i] = (a.direct + a.caustic + a.indirect) * perEven;
-    raw.odd[i] = (b.direct + b.caustic + b.indirect) * perOdd;
-    means.even[i] += (a.direct + a.caustic) * perEven;
-    means.odd[i] += (b.direct + b.caustic) * perOdd;
+    raw.even[i] = (a.direct + a.caustic + a.indirect) * inverse(counts.even(i));
+    raw.odd[i] = (b.direct + b.caustic + b.indirect) * inverse(counts.odd(i));
+    shown.even[i] = parts.direct.even[i] + parts.caustic.even[i] + parts.indirect.even[i];
+    shown.odd[i] = parts.direct.odd[i] + parts.caustic.odd[i] + parts.indirect.odd[i];
   }
   layers.error.resize(pixels);
   if (counts.oddSamples == 0) return layers;
-  ErrorEstimate estimate = estimateErrors({means.even, means.odd, share}, {raw.even, raw.odd, share}, reading.width);
+  ErrorEstimate estimate = estimateErrors({shown.even, shown.odd, share}, {raw.even, raw.odd, share}, reading.width);
   layers.estimatedError = estimate.relative;
   layers.error = std::move(estimate.perPixel);
   return layers;

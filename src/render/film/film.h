@@ -45,7 +45,7 @@ struct FilmLayers {
 struct FilmReading {
   int width = 1;
   SampleCounts counts;
-  bool filtersIndirect = false;  // shares irradiance among pixels: render/film/indirect_filter.h
+  bool sharesLight = false;  // shares light among pixels: render/filter/light_filter.h
   int threads = 0;
 };
 

@@ -117,9 +117,9 @@ Rows methodOptions() {
       choice<bool>(Group::method, "--adaptive-samples", &RenderJob::isAdaptive, {{"auto", true}, {"off", false}},
                    "more camera paths for pixels that are noisier; not with\n--gather (default: auto)")
           .forPhotons(),
-      choice<bool>(Group::method, "--indirect-filter", &RenderJob::filtersIndirect, {{"auto", true}, {"off", false}},
-                   "share gathered irradiance among neighbouring visible points,\nwith a radius that shrinks with the "
-                   "error (default: auto)")
+      choice<bool>(Group::method, "--indirect-filter", &RenderJob::sharesLight, {{"auto", true}, {"off", false}},
+                   "share direct, caustic and indirect light among pixels that see\nthe same surface, as far as the "
+                   "halves of the passes let tell\nlight from noise (default: auto)")
           .forPhotons(),
       number(Group::method, "--max-depth", "N", &RenderJob::maxDepth, wholeNumber(1, kMostDepth, "events"),
              "longest path, in scattering events")

@@ -1,0 +1,60 @@
+/// Shares light among neighbouring pixels that see the same surface.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/filter/half_statistics.h"
+#include "render/filter/halves.h"
+#include "render/filter/surface_smoother.h"
+#include "render/plan/sample_counts.h"
+#include "shared/render_data.h"
+
+namespace importon {
+
+/// Light of both halves with its modulation, per pixel: means over paths.
+struct FilteredLight {
+  std::vector<vec3> even, odd;
+};
+
+/// Smooths irradiance (light over its modulation) scale by scale over pixels that see the same surface, and leaves of
+/// each scale's detail what is light: the halves' covariance, where that is significant around a pixel, over that and
+/// the noise, by which the halves differ (Wiener's filter). What this takes away goes through the same again. With more
+/// passes every detail becomes significant, so that the image becomes the unfiltered one. Pixels on edges are mixtures
+/// of the surfaces beside them.
+class LightFilter {
+ public:
+  /// `halves`: even passes, then odd ones, each width · height pixels; at least a sample in each half. They stay where
+  /// they are.
+  LightFilter(std::span<const FilmPixel> halves, int width, const SampleCounts& counts, int threads);
+  /// Of direct (with emitted), caustic or indirect light.
+  [[nodiscard]] FilteredLight clean(vec3 FilmPixel::*light);
+
+ private:
+  void readRaw(vec3 FilmPixel::*light);
+  void cleanRaw();
+  void goThrough(const Halves& light, bool isFirst);
+  void splitScale(int scale, bool isFirst);
+  void keepLight(int scale);
+  template <class Body>
+  void forPixels(const Body& body) const;
+
+  std::span<const FilmPixel> film_;
+  SampleCounts counts_;
+  int threads_;
+  std::size_t pixels_;
+  SurfaceGuides guides_;
+  SurfaceSmoother smoother_;
+  Planes modulation_;  // means of both halves
+  // Of the light at hand.
+  Planes weights_;  // the modulation of pixels that share it, else 0
+  Halves raw_, shown_, rest_;
+  // Of the scale at hand.
+  Halves sums_, fine_, detail_;
+  Planes sumOfWeights_;
+  Plane importance_, near_;
+  HalfStatistics statistics_;
+};
+
+}  // namespace importon
