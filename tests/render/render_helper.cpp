@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -144,7 +145,7 @@ Moments meanOverSeeds(const RenderJob& job, const Scene& scene, int seeds) {
     if (va.size() != vb.size()) return ::testing::AssertionFailure() << "channels of different sizes";
     std::size_t differing = 0, first = 0;
     for (std::size_t i = va.size(); i-- > 0;) {
-      if (std::memcmp(&va[i], &vb[i], sizeof(float)) == 0) continue;
+      if (std::bit_cast<std::uint32_t>(va[i]) == std::bit_cast<std::uint32_t>(vb[i])) continue;
       ++differing;
       first = i;
     }
@@ -179,8 +180,9 @@ std::vector<double> planeImage(const Scene& scene, const glm::dvec3& point, cons
   for (int y = 0; y < camera.height; ++y) {
     for (int x = 0; x < camera.width; ++x) {
       double sum = 0;
-      for (int k = 0; k < kPoints * kPoints; ++k)
-        sum += radianceAlong(x + (k % kPoints + 0.5) / kPoints, y + (k / kPoints + 0.5) / kPoints);
+      for (int row = 0; row < kPoints; ++row)
+        for (int column = 0; column < kPoints; ++column)
+          sum += radianceAlong(x + (column + 0.5) / kPoints, y + (row + 0.5) / kPoints);
       pixels.push_back(sum / (kPoints * kPoints));
     }
   }

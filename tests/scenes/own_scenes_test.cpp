@@ -21,7 +21,7 @@ struct Expectation {
   bool isAllDiffuse;
 };
 
-void PrintTo(const Expectation& expectation, std::ostream* stream) { *stream << expectation.name; }
+std::ostream& operator<<(std::ostream& stream, const Expectation& expectation) { return stream << expectation.name; }
 
 class OwnScenes : public ::testing::TestWithParam<Expectation> {
  protected:

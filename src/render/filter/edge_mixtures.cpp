@@ -30,7 +30,7 @@ struct Mixture {
 
 /// Offsets of pixels within kReach, the nearest first.
 const std::vector<std::array<int, 2>>& offsetsNearby() {
-  static const std::vector<std::array<int, 2>> offsets = [] {
+  static const std::vector<std::array<int, 2>> kOffsets = [] {
     std::vector<std::array<int, 2>> list;
     for (int dy = -kReach; dy <= kReach; ++dy)
       for (int dx = -kReach; dx <= kReach; ++dx)
@@ -40,7 +40,7 @@ const std::vector<std::array<int, 2>>& offsetsNearby() {
     });
     return list;
   }();
-  return offsets;
+  return kOffsets;
 }
 
 /// The nearest pixel of each surface beside (x, y).

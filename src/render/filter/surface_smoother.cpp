@@ -235,9 +235,9 @@ SurfaceSmoother::SurfaceSmoother(const SurfaceGuides& guides, int levels, int th
 }
 
 float SurfaceSmoother::independentIn(std::size_t pixel, int level) const {
-  static const std::array<float, 256> factors = makeDetailFactors();
+  static const std::array<float, 256> kFactors = makeDetailFactors();
   float count = 1;
-  for (int k = level; k < level + 3; ++k) count *= factors[alike_[static_cast<std::size_t>(k)][pixel]];
+  for (int k = level; k < level + 3; ++k) count *= kFactors[alike_[static_cast<std::size_t>(k)][pixel]];
   return count;
 }
 
