@@ -16,6 +16,7 @@ void addFound(uint slot, PathState path, vec3 radiance) {
   const bool isCaustic = (path.flags & kPathScattered) != 0u && (path.flags & kPathSpecular) != 0u;
   if ((path.flags & kPathDeep) != 0u) pathLight[slot].indirect += light;
   else if (isCaustic) pathLight[slot].caustic += light;
+  else if ((path.flags & kPathScattered) == 0u) pathLight[slot].emitted += light;
   else pathLight[slot].direct += light;
 }
 
@@ -137,10 +138,11 @@ void sampleDirectLight(uint slot, inout PathState path, Surface s, Bsdf b, mat3 
   if (atomicAdd(counters[kSumRaysShadow], 1u) == 0xFFFFFFFFu) atomicAdd(counters[kSumRaysShadow + 1u], 1u);
 }
 
-/// Notes what the camera sees.
-void beginPath(uint slot, Surface s) {
-  pathLight[slot].firstPosition = s.position;
-  pathLight[slot].firstNormal = s.geometricNormal;
+/// Notes a place of which pixels may share light: the glass that the camera sees, where paths part by chance, else
+/// where the path gathers.
+void noteShared(uint slot, Surface s) {
+  pathLight[slot].sharedPosition = s.position;
+  pathLight[slot].sharedNormal = s.geometricNormal;
 }
 
 /// Notes where and with which weight the path gathers indirect light.
@@ -149,6 +151,7 @@ void beginGather(uint slot, PathState path, Surface s) {
   pathLight[slot].position = s.position;
   pathLight[slot].normal = s.shadingNormal;
   pathLight[slot].gathers = 1u;
+  if (pathLight[slot].sharedNormal == vec3(0.0)) noteShared(slot, s);
 }
 
 /// Samples the next direction. After a global lookup only a specular event goes on. False: the path ends.

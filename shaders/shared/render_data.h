@@ -120,30 +120,32 @@ SHARED_CONST uint kCountingPasses = 8u;
 /// What a path brought to its pixel in this pass, W/(m² sr); direct and caustic with their modulation, indirect
 /// with it too, and the modulation apart.
 struct PathLight {
-  vec3 direct;         // emitted and direct
+  vec3 emitted;         // by what is seen, also in mirrors and through glass
+  vec3 direct;
   vec3 caustic;
   vec3 indirect;
-  vec3 modulation;     // throughput times reflectance at the vertex that gathered
-  vec3 position;       // of that vertex, render space
-  vec3 normal;         // shading normal there
-  vec3 firstPosition;  // of the vertex that the camera sees: the same one, or on a mirror or glass before it
-  vec3 firstNormal;    // geometric normal there
-  uint gathers;        // 1 if there was one
+  vec3 modulation;      // throughput times reflectance at the vertex that gathered
+  vec3 position;        // of that vertex, render space
+  vec3 normal;          // shading normal there
+  vec3 sharedPosition;  // of that vertex, or of the glass that the camera sees before it
+  vec3 sharedNormal;    // geometric normal there
+  uint gathers;         // 1 if there was one
 };
 
 /// Sums over the passes of one half (odd or even passes), W/(m² sr).
 struct FilmPixel {
-  vec3 direct;         // emitted and direct
+  vec3 emitted;         // by what is seen
+  vec3 direct;
   vec3 caustic;
-  vec3 indirect;       // with its modulation
+  vec3 indirect;        // with its modulation
   vec3 modulation;
-  vec3 position;       // of the vertices that gathered
+  vec3 position;        // of the vertices that gathered
   vec3 normal;
-  vec3 firstPosition;  // of those that the camera sees before them
-  vec3 firstNormal;
-  float gathers;       // how many there were
-  vec3 square;         // of the whole radiance of a path
-  float foundSquare;   // of the mean over channels of emitted, direct and caustic radiance
+  vec3 sharedPosition;  // of these, or of the glass that the camera sees before them
+  vec3 sharedNormal;    // geometric normal there
+  float gathers;        // how many there were
+  vec3 square;          // of the whole radiance of a path
+  float foundSquare;    // of the mean over channels of emitted, direct and caustic radiance
 };
 
 /// Where a path asks for a map lookup.

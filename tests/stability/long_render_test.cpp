@@ -80,7 +80,7 @@ TEST_F(LongRenders, SumsOfAMillionPassesGoOnToGrow) {
   Moments added;
   for (std::size_t i = 0; i < old.size(); ++i)
     for (int c = 0; c < 3; ++c)
-      added.add(static_cast<double>(grown[i].direct[c]) - static_cast<double>(old[i].direct[c]));
+      added.add(static_cast<double>(grown[i].emitted[c]) - static_cast<double>(old[i].emitted[c]));
   EXPECT_TRUE(isWithin(0.01, added, static_cast<double>(0.1f) * 4 * kMore / 2));
   EXPECT_TRUE(isConstant(renderer.image(), 0.1, 1e-5));
 }

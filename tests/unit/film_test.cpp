@@ -30,6 +30,14 @@ TEST(Film, IsTheMeanOverAllPaths) {
   EXPECT_FLOAT_EQ(layers.total[0].x, 100.0f / 16);
 }
 
+TEST(Film, EmittedLightIsInTheDirectLayer) {
+  FilmPixel even = sums(12, 0, 0, 0), odd = sums(4, 0, 0, 0);
+  even.emitted = vec3(24), odd.emitted = vec3(8);
+  const FilmLayers layers = read(pixelOf(even, odd), 12, 4);
+  EXPECT_FLOAT_EQ(layers.direct[0].x, 3);
+  EXPECT_FLOAT_EQ(layers.total[0].x, 3);
+}
+
 // Even: 12 paths of mean 1 and mean square 12, variance (12 - 1) / 11 = 1 of their mean. Odd: 4 of mean 2 and
 // mean square 10, variance (10 - 4) / 3 = 2. The halves weigh 3/4 and 1/4.
 TEST(Film, VarianceIsThatOfTheMean) {

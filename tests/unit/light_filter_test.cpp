@@ -32,8 +32,8 @@ std::vector<FilmPixel> filmOf(const std::function<Seen(int x, int y)>& seen, flo
     film[i].modulation = vec3(4 * s.albedo);
     film[i].position = 4.0f * s.position;
     film[i].normal = 4.0f * s.normal;
-    film[i].firstPosition = film[i].position;
-    film[i].firstNormal = film[i].normal;
+    film[i].sharedPosition = film[i].position;
+    film[i].sharedNormal = film[i].normal;
     film[i].gathers = 4;
   }
   return film;
@@ -244,23 +244,6 @@ TEST(LightFilterTest, PartsOfLightAreCleanedEachByItsOwnNoise) {
   for (std::size_t i = 0; i < kPixels; ++i) EXPECT_EQ(caustic.even[i], vec3(0));
 }
 
-// Paths that see a lamp do not gather.
-TEST(LightFilterTest, PixelsThatSeeALampInPartKeepTheirDirectLight) {
-  std::vector<FilmPixel> film = filmOf(onFloor, 0.2f);
-  for (FilmPixel& pixel : film) pixel.direct = pixel.indirect;
-  constexpr std::size_t kLamp = 20 * kWidth + 25;
-  for (const std::size_t i : {kLamp, kPixels + kLamp}) {
-    film[i].gathers = 3;
-    film[i].direct += vec3(1000);
-  }
-  const FilteredLight image = LightFilter(film, kWidth, kFourPaths, 1).clean(&FilmPixel::direct);
-  EXPECT_EQ(image.even[kLamp], film[kLamp].direct / 4.0f);
-  for (std::size_t i = 0; i < kPixels; ++i) {
-    if (i == kLamp) continue;
-    EXPECT_LT(image.even[i].x, 2) << i;
-  }
-}
-
 /// A ball of glass: behind each pixel paths part to two walls by chance, and the light is smooth.
 TEST(LightFilterTest, WhatGlassShowsIsSharedOverTheGlass) {
   const auto seen = [](int x, int y) { return Seen{vec3(x, 5, y), vec3(0, 0.5f, 0.5f), 1, 0.5f}; };
@@ -268,8 +251,8 @@ TEST(LightFilterTest, WhatGlassShowsIsSharedOverTheGlass) {
   for (std::size_t i = 0; i < film.size(); ++i) {
     const int x = static_cast<int>(i % kPixels) % kWidth, y = static_cast<int>(i % kPixels) / kWidth;
     const vec3 normal = glm::normalize(vec3(x - kWidth / 2, 100, y - kHeight / 2));
-    film[i].firstNormal = 4.0f * normal;
-    film[i].firstPosition = 4.0f * 100.0f * normal;
+    film[i].sharedNormal = 4.0f * normal;
+    film[i].sharedPosition = 4.0f * 100.0f * normal;
   }
   EXPECT_LT(errorOf(filterIndirect(film), seen, everywhere), 0.2 / std::sqrt(2.0) / 10);
 }
@@ -282,7 +265,7 @@ TEST(LightFilterTest, ALeaningShadingNormalDoesNotLeaveItsPlane) {
     return s;
   };
   std::vector<FilmPixel> film = filmOf(seen, 0.2f);
-  for (FilmPixel& pixel : film) pixel.firstNormal = vec3(0, 4, 0);
+  for (FilmPixel& pixel : film) pixel.sharedNormal = vec3(0, 4, 0);
   EXPECT_LT(errorOf(filterIndirect(film), seen, everywhere), 0.2 / std::sqrt(2.0) / 20);
 }
 

@@ -57,5 +57,5 @@ void main() {
   queue[slot] = slot;
   if (isImporton) return;
   const vec3 none = vec3(0.0);
-  pathLight[slot] = PathLight(none, none, none, none, none, none, none, none, 0u);
+  pathLight[slot] = PathLight(none, none, none, none, none, none, none, none, none, 0u);
 }

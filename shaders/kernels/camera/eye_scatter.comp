@@ -40,7 +40,8 @@ void main() {
   if (kEyeMode != kEyeImportons) addEmission(slot, path, ray, hit, s);
   if ((s.flags & kMaterialUnlit) != 0u) return;
 
-  if (kEyeMode != kEyeImportons && (path.flags & kPathDepthMask) == 0u) beginPath(slot, s);
+  if (kHasTransmission && kEyeMode != kEyeImportons && (path.flags & kPathDepthMask) == 0u && s.transmission > 0.0)
+    noteShared(slot, s);
 
   const float cosOut = dot(-ray.direction, s.shadingNormal);
   Bsdf b = makeBsdf(s, cosOut);

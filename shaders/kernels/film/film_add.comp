@@ -44,19 +44,19 @@ void main() {
   for (uint k = 0u; k < count; ++k) {
     const PathLight light = pathLight[first + k * stride];
     random = hashCombine(hashCombine(params.pass, push.first + k), slot);
+    add(pixel.emitted, light.emitted);
     add(pixel.direct, light.direct);
     add(pixel.caustic, light.caustic);
     add(pixel.indirect, light.indirect);
     add(pixel.modulation, light.modulation);
     add(pixel.position, light.position);
     add(pixel.normal, light.normal);
-    add(pixel.firstPosition, light.firstPosition * float(light.gathers));
-    add(pixel.firstNormal, light.firstNormal * float(light.gathers));
-    const vec3 sum = light.direct + light.caustic + light.indirect;
+    add(pixel.sharedPosition, light.sharedPosition * float(light.gathers));
+    add(pixel.sharedNormal, light.sharedNormal * float(light.gathers));
+    const vec3 found = light.emitted + light.direct + light.caustic, sum = found + light.indirect;
     add(pixel.square, sum * sum);
-    const float found = mean(light.direct + light.caustic);
     vec3 others = vec3(pixel.gathers, pixel.foundSquare, 0.0);
-    add(others, vec3(float(light.gathers), found * found, 0.0));
+    add(others, vec3(float(light.gathers), mean(found) * mean(found), 0.0));
     pixel.gathers = others.x;
     pixel.foundSquare = others.y;
   }

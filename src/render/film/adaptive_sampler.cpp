@@ -26,7 +26,8 @@ std::vector<double> relativeVariance(std::span<const FilmPixel> half, const Samp
   std::vector<double> radiance(half.size()), variance(half.size());
   for (std::size_t i = 0; i < half.size(); ++i) {
     const FilmPixel& p = half[i];
-    const double scale = 1 / static_cast<double>(samplesOf(i)), found = meanOf(p.direct + p.caustic) * scale;
+    const double scale = 1 / static_cast<double>(samplesOf(i)),
+                 found = meanOf(p.emitted + p.direct + p.caustic) * scale;
     radiance[i] = found + meanOf(p.indirect) * scale;
     const double ofFound = std::max(static_cast<double>(p.foundSquare) * scale - found * found, 0.0);
     const double ofAll = std::max(meanOf(p.square) * scale - radiance[i] * radiance[i], 0.0);

@@ -8,7 +8,7 @@
 namespace importon {
 
 /// The true error lies between these factors of the estimate in about 90 % of renders: tests/calibration measures it.
-inline constexpr double kBandLow = 0.95, kBandHigh = 1.5;
+inline constexpr double kBandLow = 0.8, kBandHigh = 1.45;
 
 /// Means of the even and of the odd passes per pixel, row-major from the top: independent images of one thing.
 struct HalfImages {

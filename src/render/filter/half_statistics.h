@@ -22,6 +22,8 @@ class HalfStatistics {
 
   /// `product`: a b, `apart`: (a - b)², sums over channels.
   void set(std::size_t i, float product, float apart) {
+    product = std::clamp(product, -kMost, kMost);
+    apart = std::min(apart, kMost);
     product_[i] = product;
     apart_[i] = apart;
     apartSquare_[i] = apart * apart;
@@ -44,6 +46,7 @@ class HalfStatistics {
   }
 
  private:
+  static constexpr float kMost = 1e15f;  // whose square is finite
   /// Standard errors below which a deviation counts for noise, and above which for light.
   static constexpr float kNoise = 1, kLight = 2.5f;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "base/parallel.h"
 #include "render/filter/edge_mixtures.h"
@@ -57,6 +58,8 @@ FilteredLight LightFilter::clean(vec3 FilmPixel::*light) {
   if (std::all_of(film_.begin(), film_.end(), [&](const FilmPixel& p) { return p.*light == vec3(0); })) return result;
   readRaw(light);
   cleanRaw();
+  // Other light may differ within a pixel: an edge is often one of a shadow, too.
+  if (light == &FilmPixel::indirect) mixEdges(smoother_, weights_, raw_, counts_.evenShare(), shown_);
   forPixels([&](std::size_t i) {
     result.even[i] = film_[i].*light / counts_.even(i);
     result.odd[i] = film_[pixels_ + i].*light / counts_.odd(i);
@@ -70,22 +73,26 @@ FilteredLight LightFilter::clean(vec3 FilmPixel::*light) {
   return result;
 }
 
-/// Pixels that see emitters, or the background, in part keep their direct light for themselves. What glass shows is
-/// shared with its modulation: that differs by chance from path to path.
+/// What glass shows is shared with its modulation: that differs by chance from path to path.
 void LightFilter::readRaw(vec3 FilmPixel::*light) {
-  const bool isDirect = light == &FilmPixel::direct;
   forPixels([&](std::size_t i) {
     const FilmPixel &even = film_[i], &odd = film_[pixels_ + i];
     const bool isGlass = guides_.kind[i] == PixelKind::glass;
-    const bool isShared = !isDirect || isGlass || doAllGather(film_, counts_, i);
     for (std::size_t c = 0; c < 3; ++c) {
       const int channel = static_cast<int>(c);
-      weights_[c][i] = isGlass ? 1.0f : isShared ? modulation_[c][i] : 0.0f;
+      weights_[c][i] = isGlass ? 1.0f : modulation_[c][i];
       raw_.planes[kEven + c][i] = ratio((even.*light)[channel] / counts_.even(i), weights_[c][i]);
       raw_.planes[kOdd + c][i] = ratio((odd.*light)[channel] / counts_.odd(i), weights_[c][i]);
     }
   });
+  double sum = 0;
+  for (const Plane& plane : raw_.planes) sum = std::accumulate(plane.begin(), plane.end(), sum);
+  const double mean = sum / static_cast<double>(pixels_);
+  leastSquare_ = std::max(static_cast<float>(0.01 * mean * mean), std::numeric_limits<float>::min());
 }
+
+/// Of squared errors where the channels of both halves come to `sum`, as relMSE weighs them.
+float LightFilter::importanceOf(float sum) const { return 1 / (sum * sum + leastSquare_); }
 
 void LightFilter::cleanRaw() {
   for (Plane& plane : shown_.planes) std::fill(plane.begin(), plane.end(), 0.0f);
@@ -97,11 +104,10 @@ void LightFilter::cleanRaw() {
         rest_.planes[c][i] = raw_.planes[c][i] - shown_.planes[c][i];
         sum += shown_.planes[c][i];
       }
-      importance_[i] = 36 * ratio(1, sum * sum);
+      importance_[i] = importanceOf(sum);
     });
     goThrough(rest_, false);
   }
-  mixEdges(smoother_, weights_, raw_, counts_.evenShare(), shown_);
 }
 
 /// Adds to what is shown what is light in `light`.
@@ -142,7 +148,7 @@ void LightFilter::splitScale(int scale, bool isFirst) {
       apart += (even - odd) * (even - odd);
     }
     const bool isShared = weights_[0][i] + weights_[1][i] + weights_[2][i] > 0;
-    const float importance = !isShared ? 0.0f : isFirst ? 36 * ratio(1, sum * sum) : importance_[i];
+    const float importance = !isShared ? 0.0f : isFirst ? importanceOf(sum) : importance_[i];
     statistics_.set(i, importance * product, importance * apart);
   });
 }

@@ -28,7 +28,7 @@ class LightFilter {
   /// `halves`: even passes, then odd ones, each width · height pixels; at least a sample in each half. They stay where
   /// they are.
   LightFilter(std::span<const FilmPixel> halves, int width, const SampleCounts& counts, int threads);
-  /// Of direct (with emitted), caustic or indirect light.
+  /// Of direct, caustic or indirect light. Emitted light is not shared.
   [[nodiscard]] FilteredLight clean(vec3 FilmPixel::*light);
 
  private:
@@ -37,6 +37,7 @@ class LightFilter {
   void goThrough(const Halves& light, bool isFirst);
   void splitScale(int scale, bool isFirst);
   void keepLight(int scale);
+  [[nodiscard]] float importanceOf(float sum) const;
   template <class Body>
   void forPixels(const Body& body) const;
 
@@ -48,8 +49,9 @@ class LightFilter {
   SurfaceSmoother smoother_;
   Planes modulation_;  // means of both halves
   // Of the light at hand.
-  Planes weights_;  // the modulation of pixels that share it, else 0
+  Planes weights_;  // the modulation, or of glass 1
   Halves raw_, shown_, rest_;
+  float leastSquare_ = 0;  // of the sum of both halves' channels, that errors count relative to
   // Of the scale at hand.
   Halves sums_, fine_, detail_;
   Planes sumOfWeights_;

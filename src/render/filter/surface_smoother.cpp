@@ -118,23 +118,24 @@ namespace {
 /// Means over the gathers of both halves.
 struct Seen {
   bool hasGathers = false;
-  vec3 position{0}, normal{0}, firstPosition{0}, firstNormal{0};
+  vec3 position{0}, normal{0}, sharedPosition{0}, sharedNormal{0};
 
   Seen(const FilmPixel& a, const FilmPixel& b) : hasGathers(a.gathers >= 1 && b.gathers >= 1) {
     if (!hasGathers) return;
     const float gathers = a.gathers + b.gathers;
     position = (a.position + b.position) / gathers;
     normal = (a.normal + b.normal) / gathers;
-    firstPosition = (a.firstPosition + b.firstPosition) / gathers;
-    firstNormal = (a.firstNormal + b.firstNormal) / gathers;
+    sharedPosition = (a.sharedPosition + b.sharedPosition) / gathers;
+    sharedNormal = (a.sharedNormal + b.sharedNormal) / gathers;
   }
   [[nodiscard]] bool isOneSurface() const { return glm::length(normal) > kPurity; }
-  [[nodiscard]] bool isOneFirst() const { return glm::length(firstNormal) > kPurity; }
+  [[nodiscard]] bool isOneShared() const { return glm::length(sharedNormal) > kPurity; }
   [[nodiscard]] bool isDirect() const {
-    return glm::distance(firstPosition, position) <= kSamePlace * (glm::length(firstPosition) + glm::length(position));
+    return glm::distance(sharedPosition, position) <=
+           kSamePlace * (glm::length(sharedPosition) + glm::length(position));
   }
-  /// Whether the camera looks through a mirror or glass.
-  [[nodiscard]] bool isThrough() const { return hasGathers && isOneFirst() && !isDirect(); }
+  /// Whether the camera looks through glass.
+  [[nodiscard]] bool isThrough() const { return hasGathers && isOneShared() && !isDirect(); }
 };
 
 void set(SurfaceGuides& guides, std::size_t i, PixelKind kind, vec3 position, vec3 normal, vec3 plane) {
@@ -148,15 +149,21 @@ void set(SurfaceGuides& guides, std::size_t i, PixelKind kind, vec3 position, ve
 void readGuide(const Seen& seen, bool looksThrough, std::size_t i, SurfaceGuides& guides) {
   if (!seen.hasGathers) return;
   if (looksThrough) {
-    const vec3 normal = glm::normalize(seen.firstNormal);
-    set(guides, i, PixelKind::glass, seen.firstPosition, normal, normal);
+    const vec3 normal = glm::normalize(seen.sharedNormal);
+    set(guides, i, PixelKind::glass, seen.sharedPosition, normal, normal);
   } else if (seen.isOneSurface()) {
-    const bool knowsPlane = seen.isDirect() && seen.isOneFirst();
+    const bool knowsPlane = seen.isDirect() && seen.isOneShared();
     set(guides, i, PixelKind::surface, seen.position, glm::normalize(seen.normal),
-        glm::normalize(knowsPlane ? seen.firstNormal : seen.normal));
+        glm::normalize(knowsPlane ? seen.sharedNormal : seen.normal));
   } else {
     set(guides, i, PixelKind::edge, seen.position, seen.normal, seen.normal);
   }
+}
+
+/// Whether none of a pixel's paths sees an emitter or the background behind what it looks through.
+bool doAllGather(std::span<const FilmPixel> halves, const SampleCounts& counts, std::size_t pixel) {
+  const float gathers = halves[pixel].gathers + halves[halves.size() / 2 + pixel].gathers;
+  return gathers >= kAllGather * (counts.even(pixel) + counts.odd(pixel));
 }
 
 /// Whether so many of the pixels around that look through something see several surfaces that this one's paths part,
@@ -174,11 +181,6 @@ bool doPathsPart(std::span<const std::uint8_t> through, int x, int y, int width,
 }
 
 }  // namespace
-
-bool doAllGather(std::span<const FilmPixel> halves, const SampleCounts& counts, std::size_t pixel) {
-  const float gathers = halves[pixel].gathers + halves[halves.size() / 2 + pixel].gathers;
-  return gathers >= kAllGather * (counts.even(pixel) + counts.odd(pixel));
-}
 
 SurfaceGuides readGuides(std::span<const FilmPixel> halves, int width, const SampleCounts& counts, int threads) {
   const std::size_t pixels = halves.size() / 2;

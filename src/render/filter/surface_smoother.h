@@ -31,11 +31,7 @@ struct SurfaceGuides {
   [[nodiscard]] bool areAlike(std::size_t p, std::size_t q) const;
 };
 
-/// Whether all of a pixel's paths gather: none meets an emitter or the background before. `halves`: the even passes'
-/// pixels, then the odd ones'.
-[[nodiscard]] bool doAllGather(std::span<const FilmPixel> halves, const SampleCounts& counts, std::size_t pixel);
-
-/// `halves`: the same.
+/// `halves`: the even passes' pixels, then the odd ones'.
 [[nodiscard]] SurfaceGuides readGuides(std::span<const FilmPixel> halves, int width, const SampleCounts& counts,
                                        int threads);
 
