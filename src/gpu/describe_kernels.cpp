@@ -245,7 +245,7 @@ struct {type} {{
   static constexpr std::string_view kLabel = "{label}";
 {push}  /// By slot, each from the first of `owners` that has a member of its name.
   template <class... Owners>
-  [[nodiscard]] static std::array<const gpu::Buffer*, {count}> buffers(const Owners&... owners) {{
+  [[nodiscard]] static std::array<const gpu::Buffer*, {count}> buffers([[maybe_unused]] const Owners&... owners) {{
     return {{{found}}};
   }}
 }};

@@ -34,7 +34,8 @@ class LongRenders : public RenderTest {
     renderer.done() = sumsOf(job, static_cast<std::uint64_t>(first));
     renderPasses(renderer, first, count);
     std::vector<float> values = valuesOf(renderer.image());
-    for (float& value : values) value *= static_cast<float>(first / 2 * 2 + count) / static_cast<float>(count);
+    const int passes = first / 2 * 2 + count;
+    for (float& value : values) value *= static_cast<float>(passes) / static_cast<float>(count);
     return values;
   }
 };

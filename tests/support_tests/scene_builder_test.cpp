@@ -54,7 +54,8 @@ Measures measureShape(Shape&& addShape) {
 }
 
 TEST(SceneBuilder, BoxIsClosedWhicheverWayItFaces) {
-  for (const auto& [facing, sign] : {std::pair(Facing::outside, 1.0), std::pair(Facing::inside, -1.0)}) {
+  for (const Facing facing : {Facing::outside, Facing::inside}) {
+    const double sign = facing == Facing::outside ? 1 : -1;
     const Measures box = measureShape([&](SceneBuilder& builder, uint material) {
       builder.box(material, {-1, 0, 2}, {1, 3, 6}, facing, 3);
     });
@@ -65,7 +66,8 @@ TEST(SceneBuilder, BoxIsClosedWhicheverWayItFaces) {
 }
 
 TEST(SceneBuilder, SpheresAreClosedWhicheverWayTheyFace) {
-  for (const auto& [facing, sign] : {std::pair(Facing::outside, 1.0), std::pair(Facing::inside, -1.0)}) {
+  for (const Facing facing : {Facing::outside, Facing::inside}) {
+    const double sign = facing == Facing::outside ? 1 : -1;
     const Measures uv = measureShape([&](SceneBuilder& builder, uint material) {
       builder.uvSphere(material, {1, 2, 3}, 2.0, 64, 128, facing, Shading::flat);
     });

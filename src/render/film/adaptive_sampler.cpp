@@ -92,7 +92,8 @@ std::vector<uvec2> AdaptiveSampler::distribute(int pass, std::uint32_t samples, 
   const std::span<const float> shares(shares_[pass % 2].data() + first, count);
   const std::span<std::int32_t> extra(extra_[pass % 2].data() + first, count);
   // Sums of shares are rounded up or down alike within a pass, and otherwise in the next.
-  const double offset = std::fmod(pass / 2 * kGolden, 1.0);
+  const int passOfHalf = pass / 2;
+  const double offset = std::fmod(passOfHalf * kGolden, 1.0);
   const double whole = static_cast<double>(samples) * static_cast<double>(count) - 1;
   const double scale = pixels_ == count ? whole / std::accumulate(shares.begin(), shares.end(), 0.0) : samples;
   std::vector<uvec2> firstPaths;
