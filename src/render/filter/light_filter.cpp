@@ -34,17 +34,8 @@ LightFilter::LightFilter(std::span<const FilmPixel> halves, int width, const Sam
       guides_(readGuides(halves, width, counts, threads)),
       smoother_(guides_, kScales + kWindowLevels - 1, threads),
       modulation_(planesOf(pixels_)),
-      weights_(planesOf(pixels_)),
-      raw_(pixels_),
-      shown_(pixels_),
-      rest_(pixels_),
-      sums_(pixels_),
-      fine_(pixels_),
-      detail_(pixels_),
-      sumOfWeights_(planesOf(pixels_)),
-      importance_(pixels_),
-      near_(pixels_),
-      statistics_(pixels_) {
+      light_(pixels_),
+      scale_(pixels_) {
   const float share = counts.evenShare();
   forPixels([&](std::size_t i) {
     const vec3 even = film_[i].modulation / counts_.even(i), odd = film_[pixels_ + i].modulation / counts_.odd(i);
@@ -59,15 +50,15 @@ FilteredLight LightFilter::clean(vec3 FilmPixel::*light) {
   readRaw(light);
   cleanRaw();
   // Other light may differ within a pixel: an edge is often one of a shadow, too.
-  if (light == &FilmPixel::indirect) mixEdges(smoother_, weights_, raw_, counts_.evenShare(), shown_);
+  if (light == &FilmPixel::indirect) mixEdges(smoother_, light_.weights, light_.raw, counts_.evenShare(), light_.shown);
   forPixels([&](std::size_t i) {
     result.even[i] = film_[i].*light / counts_.even(i);
     result.odd[i] = film_[pixels_ + i].*light / counts_.odd(i);
     if (guides_.kind[i] == PixelKind::none) return;
     for (std::size_t c = 0; c < 3; ++c) {
-      if (!(weights_[c][i] > 0)) continue;
-      result.even[i][static_cast<int>(c)] = weights_[c][i] * shown_.planes[kEven + c][i];
-      result.odd[i][static_cast<int>(c)] = weights_[c][i] * shown_.planes[kOdd + c][i];
+      if (!(light_.weights[c][i] > 0)) continue;
+      result.even[i][static_cast<int>(c)] = light_.weights[c][i] * light_.shown.planes[kEven + c][i];
+      result.odd[i][static_cast<int>(c)] = light_.weights[c][i] * light_.shown.planes[kOdd + c][i];
     }
   });
   return result;
@@ -80,33 +71,33 @@ void LightFilter::readRaw(vec3 FilmPixel::*light) {
     const bool isGlass = guides_.kind[i] == PixelKind::glass;
     for (std::size_t c = 0; c < 3; ++c) {
       const int channel = static_cast<int>(c);
-      weights_[c][i] = isGlass ? 1.0f : modulation_[c][i];
-      raw_.planes[kEven + c][i] = ratio((even.*light)[channel] / counts_.even(i), weights_[c][i]);
-      raw_.planes[kOdd + c][i] = ratio((odd.*light)[channel] / counts_.odd(i), weights_[c][i]);
+      light_.weights[c][i] = isGlass ? 1.0f : modulation_[c][i];
+      light_.raw.planes[kEven + c][i] = ratio((even.*light)[channel] / counts_.even(i), light_.weights[c][i]);
+      light_.raw.planes[kOdd + c][i] = ratio((odd.*light)[channel] / counts_.odd(i), light_.weights[c][i]);
     }
   });
   double sum = 0;
-  for (const Plane& plane : raw_.planes) sum = std::accumulate(plane.begin(), plane.end(), sum);
+  for (const Plane& plane : light_.raw.planes) sum = std::accumulate(plane.begin(), plane.end(), sum);
   const double mean = sum / static_cast<double>(pixels_);
-  leastSquare_ = std::max(static_cast<float>(0.01 * mean * mean), std::numeric_limits<float>::min());
+  light_.leastSquare = std::max(static_cast<float>(0.01 * mean * mean), std::numeric_limits<float>::min());
 }
 
 /// Of squared errors where the channels of both halves come to `sum`, as relMSE weighs them.
-float LightFilter::importanceOf(float sum) const { return 1 / (sum * sum + leastSquare_); }
+float LightFilter::importanceOf(float sum) const { return 1 / (sum * sum + light_.leastSquare); }
 
 void LightFilter::cleanRaw() {
-  for (Plane& plane : shown_.planes) std::fill(plane.begin(), plane.end(), 0.0f);
-  goThrough(raw_, true);
+  for (Plane& plane : light_.shown.planes) std::fill(plane.begin(), plane.end(), 0.0f);
+  goThrough(light_.raw, true);
   for (int round = 1; round < kRounds; ++round) {
     forPixels([&](std::size_t i) {
       float sum = 0;
       for (std::size_t c = 0; c < 6; ++c) {
-        rest_.planes[c][i] = raw_.planes[c][i] - shown_.planes[c][i];
-        sum += shown_.planes[c][i];
+        light_.rest.planes[c][i] = light_.raw.planes[c][i] - light_.shown.planes[c][i];
+        sum += light_.shown.planes[c][i];
       }
-      importance_[i] = importanceOf(sum);
+      light_.importance[i] = importanceOf(sum);
     });
-    goThrough(rest_, false);
+    goThrough(light_.rest, false);
   }
 }
 
@@ -114,54 +105,56 @@ void LightFilter::cleanRaw() {
 void LightFilter::goThrough(const Halves& light, bool isFirst) {
   forPixels([&](std::size_t i) {
     for (std::size_t c = 0; c < 6; ++c) {
-      fine_.planes[c][i] = light.planes[c][i];
-      sums_.planes[c][i] = light.planes[c][i] * weights_[c % 3][i];
+      scale_.fine.planes[c][i] = light.planes[c][i];
+      scale_.sums.planes[c][i] = light.planes[c][i] * light_.weights[c % 3][i];
     }
-    for (std::size_t c = 0; c < 3; ++c) sumOfWeights_[c][i] = weights_[c][i];
+    for (std::size_t c = 0; c < 3; ++c) scale_.sumOfWeights[c][i] = light_.weights[c][i];
   });
   for (int scale = 0; scale < kScales; ++scale) {
     splitScale(scale, isFirst);
     keepLight(scale);
   }
   forPixels([&](std::size_t i) {
-    for (std::size_t c = 0; c < 6; ++c) shown_.planes[c][i] += fine_.planes[c][i];
+    for (std::size_t c = 0; c < 6; ++c) light_.shown.planes[c][i] += scale_.fine.planes[c][i];
   });
 }
 
 /// The detail is what the next scale takes away. Its squares count by the importance: relative to what is there.
 void LightFilter::splitScale(int scale, bool isFirst) {
   std::array<Plane*, 9> smoothed;
-  for (std::size_t c = 0; c < 6; ++c) smoothed[c] = &sums_.planes[c];
-  for (std::size_t c = 0; c < 3; ++c) smoothed[6 + c] = &sumOfWeights_[c];
+  for (std::size_t c = 0; c < 6; ++c) smoothed[c] = &scale_.sums.planes[c];
+  for (std::size_t c = 0; c < 3; ++c) smoothed[6 + c] = &scale_.sumOfWeights[c];
   smoother_.smooth(smoothed, scale);
   forPixels([&](std::size_t i) {
     float sum = 0, product = 0, apart = 0;
     for (std::size_t c = 0; c < 6; ++c) {
-      const float coarse = ratio(sums_.planes[c][i], sumOfWeights_[c % 3][i]);
-      detail_.planes[c][i] = fine_.planes[c][i] - coarse;
-      fine_.planes[c][i] = coarse;
+      const float coarse = ratio(scale_.sums.planes[c][i], scale_.sumOfWeights[c % 3][i]);
+      scale_.detail.planes[c][i] = scale_.fine.planes[c][i] - coarse;
+      scale_.fine.planes[c][i] = coarse;
       sum += coarse;
     }
     for (std::size_t c = 0; c < 3; ++c) {
-      const float even = detail_.planes[kEven + c][i], odd = detail_.planes[kOdd + c][i];
+      const float even = scale_.detail.planes[kEven + c][i], odd = scale_.detail.planes[kOdd + c][i];
       product += even * odd;
       apart += (even - odd) * (even - odd);
     }
-    const bool isShared = weights_[0][i] + weights_[1][i] + weights_[2][i] > 0;
-    const float importance = !isShared ? 0.0f : isFirst ? importanceOf(sum) : importance_[i];
-    statistics_.set(i, importance * product, importance * apart);
+    const bool isShared = light_.weights[0][i] + light_.weights[1][i] + light_.weights[2][i] > 0;
+    const float importance = !isShared ? 0.0f : isFirst ? importanceOf(sum) : light_.importance[i];
+    scale_.statistics.set(i, importance * product, importance * apart);
   });
 }
 
 void LightFilter::keepLight(int scale) {
   const float evenShare = counts_.evenShare();
   for (int k = 0; k < kWindowLevels; ++k) {
-    smoother_.smooth(statistics_.planes(), scale + k);
-    if (k + 1 == kNearLevels) forPixels([&](std::size_t i) { near_[i] = statistics_.shareOfProduct(i, evenShare); });
+    smoother_.smooth(scale_.statistics.planes(), scale + k);
+    if (k + 1 == kNearLevels)
+      forPixels([&](std::size_t i) { scale_.near[i] = scale_.statistics.shareOfProduct(i, evenShare); });
   }
   forPixels([&](std::size_t i) {
-    const float gain = std::min(near_[i], statistics_.shareOfLight(i, smoother_.independentIn(i, scale), evenShare));
-    for (std::size_t c = 0; c < 6; ++c) shown_.planes[c][i] += gain * detail_.planes[c][i];
+    const float gain =
+        std::min(scale_.near[i], scale_.statistics.shareOfLight(i, smoother_.independentIn(i, scale), evenShare));
+    for (std::size_t c = 0; c < 6; ++c) light_.shown.planes[c][i] += gain * scale_.detail.planes[c][i];
   });
 }
 

@@ -18,6 +18,29 @@ struct FilteredLight {
   std::vector<vec3> even, odd;
 };
 
+/// What a filter works on: a part of the light.
+struct LightAtHand {
+  Planes weights;  // the modulation, or of glass 1
+  Halves raw, shown, rest;
+  Plane importance;       // of squared errors
+  float leastSquare = 0;  // of the sum of both halves' channels, that errors count relative to
+
+  explicit LightAtHand(std::size_t pixels)
+      : weights(planesOf(pixels)), raw(pixels), shown(pixels), rest(pixels), importance(pixels) {}
+};
+
+/// A scale of it.
+struct ScaleAtHand {
+  Halves sums;  // of light times weights, smoothed
+  Planes sumOfWeights;
+  Halves fine, detail;  // what is left to be smoothed, and what this scale takes away from it
+  HalfStatistics statistics;
+  Plane near;  // share of light in the smaller window
+
+  explicit ScaleAtHand(std::size_t pixels)
+      : sums(pixels), sumOfWeights(planesOf(pixels)), fine(pixels), detail(pixels), statistics(pixels), near(pixels) {}
+};
+
 /// Smooths irradiance (light over its modulation) scale by scale over pixels that see the same surface, and leaves of
 /// each scale's detail what is light: the halves' covariance, where that is significant around a pixel, over that and
 /// the noise, by which the halves differ (Wiener's filter). What this takes away goes through the same again. With more
@@ -48,15 +71,8 @@ class LightFilter {
   SurfaceGuides guides_;
   SurfaceSmoother smoother_;
   Planes modulation_;  // means of both halves
-  // Of the light at hand.
-  Planes weights_;  // the modulation, or of glass 1
-  Halves raw_, shown_, rest_;
-  float leastSquare_ = 0;  // of the sum of both halves' channels, that errors count relative to
-  // Of the scale at hand.
-  Halves sums_, fine_, detail_;
-  Planes sumOfWeights_;
-  Plane importance_, near_;
-  HalfStatistics statistics_;
+  LightAtHand light_;
+  ScaleAtHand scale_;
 };
 
 }  // namespace importon
