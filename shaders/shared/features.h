@@ -13,24 +13,24 @@ SHARED_CONST uint kSpecTraceInvocations = 2u;  // lib/trace_queue.glsl; also of 
 SHARED_CONST uint kSpecHasTextures = 3u;
 SHARED_CONST uint kSpecHasNormalMaps = 4u;
 SHARED_CONST uint kSpecHasVertexColors = 5u;
-SHARED_CONST uint kSpecHasReflection = 6u;     // any Fresnel or metallic reflection
+SHARED_CONST uint kSpecHasReflection = 6u;  // any Fresnel or metallic reflection
 SHARED_CONST uint kSpecHasTransmission = 7u;
-SHARED_CONST uint kSpecHasMedia = 8u;          // absorbing solids
+SHARED_CONST uint kSpecHasMedia = 8u;  // absorbing solids
 SHARED_CONST uint kSpecHasClearcoat = 15u;
 SHARED_CONST uint kSpecHasTriangleLights = 9u;
 SHARED_CONST uint kSpecHasPunctualLights = 10u;
 SHARED_CONST uint kSpecHasEnvironment = 11u;
 // The job.
-SHARED_CONST uint kSpecEyeMode = 12u;          // kEyeImage, kEyeImportons, kEyePath
+SHARED_CONST uint kSpecEyeMode = 12u;  // kEyeImage, kEyeImportons, kEyePath
 SHARED_CONST uint kSpecHasCausticMap = 13u;
 SHARED_CONST uint kSpecHasGlobalMap = 14u;
 
-SHARED_CONST uint kSpecReadsCells = 30u;       // gather rays read an irradiance map instead of photons
+SHARED_CONST uint kSpecReadsCells = 30u;         // gather rays read an irradiance map instead of photons
 SHARED_CONST uint kSpecDispatchWorkgroup = 19u;  // workgroup size of the kernels dispatched indirectly
-SHARED_CONST uint kSpecPixelFilter = 16u;      // kFilter*
-SHARED_CONST uint kSpecIsGuided = 17u;         // emission follows a guide
-SHARED_CONST uint kSpecPhotonKind = 18u;       // kPhotonsGlobal, kPhotonsCaustic
-SHARED_CONST uint kSpecImportanceBound = 20u;  // kBound*
+SHARED_CONST uint kSpecPixelFilter = 16u;        // kFilter*
+SHARED_CONST uint kSpecIsGuided = 17u;           // emission follows a guide
+SHARED_CONST uint kSpecPhotonKind = 18u;         // kPhotonsGlobal, kPhotonsCaustic
+SHARED_CONST uint kSpecImportanceBound = 20u;    // kBound*
 
 SHARED_CONST uint kSpecScatterIsGuided = 45u;  // photons scatter by a guide too
 SHARED_CONST uint kSpecIsDirectional = 46u;    // required density knows which light glossy surfaces show
@@ -46,9 +46,9 @@ SHARED_CONST uint kFilterBlackmanHarris = 2u;
 SHARED_CONST uint kPhotonsGlobal = 0u;   // paths L(S|D)*, for the global map
 SHARED_CONST uint kPhotonsCaustic = 1u;  // paths LS+, for the caustic map
 
-SHARED_CONST uint kEyeImage = 0u;       // the image, with the photon maps
-SHARED_CONST uint kEyeImportons = 1u;   // records where the image would read the maps
-SHARED_CONST uint kEyePath = 2u;        // unidirectional path tracing
+SHARED_CONST uint kEyeImage = 0u;      // the image, with the photon maps
+SHARED_CONST uint kEyeImportons = 1u;  // records where the image would read the maps
+SHARED_CONST uint kEyePath = 2u;       // unidirectional path tracing
 
 SHARED_END
 #endif

@@ -15,10 +15,10 @@ struct Ray {
 
 /// Closest hit, or for any-hit rays: triangle == kNone means the way is free.
 struct Hit {
-  float t;         // m
-  float u;         // barycentric weight of v1
-  float v;         // barycentric weight of v2
-  uint triangle;   // index into the scene's triangles; kNone: nothing hit
+  float t;        // m
+  float u;        // barycentric weight of v1
+  float v;        // barycentric weight of v2
+  uint triangle;  // index into the scene's triangles; kNone: nothing hit
 };
 
 // Counters that kernels/traversal/trace.comp keeps among the others; 0 at first.

@@ -25,18 +25,18 @@ struct MapSettings {
 struct Parameters {
   vec3 cameraOrigin;
   uint cameraIsOrthographic;
-  vec3 cameraForward;        // unit length
-  uint width;                // pixels
-  vec3 cameraRight;          // half the image's extent: at distance 1 (perspective) or in m (orthographic)
+  vec3 cameraForward;  // unit length
+  uint width;          // pixels
+  vec3 cameraRight;    // half the image's extent: at distance 1 (perspective) or in m (orthographic)
   uint height;
   vec3 cameraUp;
   uint seed;
-  vec3 gridOrigin;           // lowest corner of the scene
-  float gridExtent;          // power of two, at least the scene's largest side
+  vec3 gridOrigin;   // lowest corner of the scene
+  float gridExtent;  // power of two, at least the scene's largest side
   vec3 sceneCentre;
   float sceneRadius;
-  uvec2 environmentSize;     // texels; at least 1 x 1
-  uint environmentLight;     // index of the environment among the lights, kNone: none
+  uvec2 environmentSize;  // texels; at least 1 x 1
+  uint environmentLight;  // index of the environment among the lights, kNone: none
   uint lightCount;
   float totalPower;          // W, sum of Light::power
   uint pass;                 // from 0; importance has its own random streams
@@ -58,22 +58,22 @@ struct Parameters {
 
 /// Walker's alias table for choosing a light by its power. [Walker 1977]
 struct LightAlias {
-  float threshold;    // keep the entry below it, else take `other`
+  float threshold;  // keep the entry below it, else take `other`
   uint other;
   float probability;  // of the light of this index
 };
 
 /// A path between two scattering events. Its ray is in the ray array at the same slot.
 struct PathState {
-  vec3 throughput;     // eye: weight against the first diffuse vertex; photon: flux in W; importon: pixels
-  uint flags;          // see below
-  uint id;             // eye: pixel; photon: index within the pass; importon: index
-  uint medium;         // material index of the medium that the ray is in, kNone: none
-  uint outerMedium;    // the one around it: lib/path.glsl
-  float pdfSolidAngle; // of the sampled direction, 1/sr; 0 after a specular event
-  float lightWeight;   // sum of the light weights at the last vertex, for MIS
-  uint source;         // photon: its light; eye: which of its pixel's paths in this pass
-  float distance;      // m, length since the last non-specular vertex
+  vec3 throughput;      // eye: weight against the first diffuse vertex; photon: flux in W; importon: pixels
+  uint flags;           // see below
+  uint id;              // eye: pixel; photon: index within the pass; importon: index
+  uint medium;          // material index of the medium that the ray is in, kNone: none
+  uint outerMedium;     // the one around it: lib/path.glsl
+  float pdfSolidAngle;  // of the sampled direction, 1/sr; 0 after a specular event
+  float lightWeight;    // sum of the light weights at the last vertex, for MIS
+  uint source;          // photon: its light; eye: which of its pixel's paths in this pass
+  float distance;       // m, length since the last non-specular vertex
 };
 
 /// How a path moves with one of the variables that made it: derivatives, each times the step of the variable to the
@@ -86,23 +86,23 @@ struct Spread {
 
 /// The footprint of an importon. Two variables hold all that came before the last sampled direction.
 struct PathDifferential {
-  Spread x;     // place in the image, steps of a pixel; later what paths before the last sampled direction covered
+  Spread x;  // place in the image, steps of a pixel; later what paths before the last sampled direction covered
   Spread y;
-  Spread u;     // the last sampled direction
+  Spread u;  // the last sampled direction
   Spread v;
   float share;  // weight of the path in its pixel, chosen lobes included
 };
 
 // PathState::flags: low byte: scattering events so far
 SHARED_CONST uint kPathDepthMask = 0xFFu;
-SHARED_CONST uint kPathScattered = 0x100u;   // has had a non-specular event
-SHARED_CONST uint kPathSpecular = 0x200u;    // a specular event since the last non-specular one (or the start)
-SHARED_CONST uint kPathLookup = 0x400u;      // asks for a map lookup at its vertex
+SHARED_CONST uint kPathScattered = 0x100u;     // has had a non-specular event
+SHARED_CONST uint kPathSpecular = 0x200u;      // a specular event since the last non-specular one (or the start)
+SHARED_CONST uint kPathLookup = 0x400u;        // asks for a map lookup at its vertex
 SHARED_CONST uint kPathLookupGlobal = 0x800u;  // of the global map; else of the caustic map
-SHARED_CONST uint kPathDeep = 0x1000u;       // has gone on after its first gather ray
-SHARED_CONST uint kPathShadowDeep = 0x2000u; // its shadow ray counts as indirect light
-SHARED_CONST uint kPathLookupRest = 0x8000u; // its map lookup is for all but the diffuse light
-SHARED_CONST uint kPathLookupDeep = 0x4000u; // its map lookup counts as indirect light
+SHARED_CONST uint kPathDeep = 0x1000u;         // has gone on after its first gather ray
+SHARED_CONST uint kPathShadowDeep = 0x2000u;   // its shadow ray counts as indirect light
+SHARED_CONST uint kPathLookupRest = 0x8000u;   // its map lookup is for all but the diffuse light
+SHARED_CONST uint kPathLookupDeep = 0x4000u;   // its map lookup counts as indirect light
 
 /// Along each side of the scene: lib/light_voxel.glsl.
 SHARED_CONST uint kLightVoxels = 64u;
@@ -120,7 +120,7 @@ SHARED_CONST uint kCountingPasses = 8u;
 /// What a path brought to its pixel in this pass, W/(m² sr); direct and caustic with their modulation, indirect
 /// with it too, and the modulation apart.
 struct PathLight {
-  vec3 emitted;         // by what is seen, also in mirrors and through glass
+  vec3 emitted;  // by what is seen, also in mirrors and through glass
   vec3 direct;
   vec3 caustic;
   vec3 indirect;
@@ -134,12 +134,12 @@ struct PathLight {
 
 /// Sums over the passes of one half (odd or even passes), W/(m² sr).
 struct FilmPixel {
-  vec3 emitted;         // by what is seen
+  vec3 emitted;  // by what is seen
   vec3 direct;
   vec3 caustic;
-  vec3 indirect;        // with its modulation
+  vec3 indirect;  // with its modulation
   vec3 modulation;
-  vec3 position;        // of the vertices that gathered
+  vec3 position;  // of the vertices that gathered
   vec3 normal;
   vec3 sharedPosition;  // of these, or of the glass that the camera sees before them
   vec3 sharedNormal;    // geometric normal there
@@ -151,11 +151,11 @@ struct FilmPixel {
 /// Where a path asks for a map lookup.
 struct EyeVertex {
   vec3 position;
-  float radius;      // of the lookup, m; 0: to be found by the lookup
-  vec3 throughput;   // towards the vertex
+  float radius;     // of the lookup, m; 0: to be found by the lookup
+  vec3 throughput;  // towards the vertex
   uint triangle;
-  vec3 direction;    // of the ray that came
-  float u;           // barycentric weights of the hit
+  vec3 direction;  // of the ray that came
+  float u;         // barycentric weights of the hit
   float v;
 };
 
@@ -179,13 +179,13 @@ struct MapPoint {
 
 /// What a hit or importon carries beside its MapPoint.
 struct Record {
-  vec3 flux;    // photon: W; importon: pixels in x
-  uint kind;    // kRecord*
+  vec3 flux;  // photon: W; importon: pixels in x
+  uint kind;  // kRecord*
 };
 SHARED_CONST uint kRecordNone = 0u;
-SHARED_CONST uint kRecordCaustic = 1u;  // belongs to the caustic map
-SHARED_CONST uint kRecordGlobal = 2u;   // belongs to the global map
-SHARED_CONST uint kRecordGlossy = 4u;   // its surface does not reflect by Lambert's law alone
+SHARED_CONST uint kRecordCaustic = 1u;    // belongs to the caustic map
+SHARED_CONST uint kRecordGlobal = 2u;     // belongs to the global map
+SHARED_CONST uint kRecordGlossy = 4u;     // its surface does not reflect by Lambert's law alone
 SHARED_CONST uint kRecordRankShift = 3u;  // above: a rank by path, then bounce, 29 bits
 
 /// Fixed-point units of what a guide learns.
@@ -194,7 +194,7 @@ SHARED_CONST float kGuideUnits = 1024.0f;
 /// Cells of a guide for scattering: voxels of the scene's box, six to a voxel, by where the surface faces. Each has
 /// kScatterBins x kScatterBins bins of directions.
 struct ScatterGrid {
-  vec3 origin;    // m, render space
+  vec3 origin;     // m, render space
   float perMetre;  // voxels
   uvec3 voxels;
 };
@@ -215,7 +215,7 @@ SHARED_CONST uint kSumKept = 2u;  // hits that photon_thin kept, with their weig
 
 /// A cell of the scene that one stored photon speaks for; see lib/photon_cell.glsl.
 struct PhotonCell {
-  uint keyA;    // two hashes of the cell, kNone: free
+  uint keyA;  // two hashes of the cell, kNone: free
   uint keyB;
   uint photon;  // the stored photon, or kCellClaim + the least rank of the hits that found the cell empty
 };
@@ -230,14 +230,14 @@ struct DispatchArguments {
 };
 SHARED_CONST uint kWorkgroupSize = 64u;  // of kernels dispatched indirectly
 SHARED_CONST uint kTileSize = 64u;       // entries per invocation in compaction and sort
-SHARED_CONST uint kScanThreads = 256u; // workgroup size of the scan kernel
+SHARED_CONST uint kScanThreads = 256u;   // workgroup size of the scan kernel
 SHARED_CONST uint kRadix = 64u;          // digits of the sort
 SHARED_CONST uint kRadixBits = 6u;
 
 // Purposes of random streams, mixed with the seed.
 SHARED_CONST uint kStreamPixels = 2u;
 SHARED_CONST uint kStreamImportons = 3u;
-SHARED_CONST uint kStreamSites = 6u;  // importance that leaves sites
+SHARED_CONST uint kStreamSites = 6u;               // importance that leaves sites
 SHARED_CONST uint kStreamCausticPhotons = 0x100u;  // plus the state of the guide
 SHARED_CONST uint kStreamGlobalPhotons = 0x200u;
 SHARED_CONST uint kStreamPilot = 0x1000u;  // added to those of photons whose hits are only counted
@@ -246,25 +246,25 @@ SHARED_CONST uint kStreamStorage = 4u;     // plus 1 for the global map: which h
 // Counters: uint each
 SHARED_CONST uint kCounterQueueA = 0u;
 SHARED_CONST uint kCounterQueueB = 1u;
-SHARED_CONST uint kCounterRecords = 2u;       // records written so far (queue entries passed)
-SHARED_CONST uint kCounterSelected = 3u;      // records of the map at work
-SHARED_CONST uint kCounterStored = 4u;        // photons in the map at work
-SHARED_CONST uint kCounterEntries = 6u;       // entries being sorted
-SHARED_CONST uint kCounterTotal = 7u;         // result of a scan
-SHARED_CONST uint kCounterOverflow = 8u;      // photons that found no room
-SHARED_CONST uint kCounterRaysClosest = 9u;   // rays traced since they were last added to kSumRaysClosest
-SHARED_CONST uint kCounterLevels = 11u;       // grid levels of the importons or the batch at work, a bit each
+SHARED_CONST uint kCounterRecords = 2u;        // records written so far (queue entries passed)
+SHARED_CONST uint kCounterSelected = 3u;       // records of the map at work
+SHARED_CONST uint kCounterStored = 4u;         // photons in the map at work
+SHARED_CONST uint kCounterEntries = 6u;        // entries being sorted
+SHARED_CONST uint kCounterTotal = 7u;          // result of a scan
+SHARED_CONST uint kCounterOverflow = 8u;       // photons that found no room
+SHARED_CONST uint kCounterRaysClosest = 9u;    // rays traced since they were last added to kSumRaysClosest
+SHARED_CONST uint kCounterLevels = 11u;        // grid levels of the importons or the batch at work, a bit each
 SHARED_CONST uint kCounterSites = 15u;         // importons at which importance is estimated
-SHARED_CONST uint kCounterStoredLevels = 14u;   // grid levels of the stored photons at work, a bit each
-SHARED_CONST uint kCounterLookups = 12u;        // paths that ask for a map lookup at the depth at work
-SHARED_CONST uint kCounterAccepted = 13u;       // hits accepted now
+SHARED_CONST uint kCounterStoredLevels = 14u;  // grid levels of the stored photons at work, a bit each
+SHARED_CONST uint kCounterLookups = 12u;       // paths that ask for a map lookup at the depth at work
+SHARED_CONST uint kCounterAccepted = 13u;      // hits accepted now
 // What each map keeps between batches: kCounterMap + kCountersPerMap · (0 caustic, 1 global) + which.
 SHARED_CONST uint kCounterMap = 16u;
 SHARED_CONST uint kCountersPerMap = 6u;
 SHARED_CONST uint kMapStored = 0u;
-SHARED_CONST uint kMapOverflow = 1u;           // photons that found no room
-SHARED_CONST uint kMapLevels = 2u;             // grid levels of the finished map, a bit each
-SHARED_CONST uint kMapHits = 4u;               // a sum of two words
+SHARED_CONST uint kMapOverflow = 1u;  // photons that found no room
+SHARED_CONST uint kMapLevels = 2u;    // grid levels of the finished map, a bit each
+SHARED_CONST uint kMapHits = 4u;      // a sum of two words
 // Of the irradiance map in this pass.
 SHARED_CONST uint kCounterCellsLit = 41u;  // cell sides that had their first photon
 // Sums that may pass 2^32 in a pass: two words each, the low one first.

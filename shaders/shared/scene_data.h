@@ -37,15 +37,15 @@ SHARED_CONST uint kMaterialEmissive = 32u;
 /// The glTF 2.0 metallic-roughness material and its extensions. Textures are indices into the texture
 /// array or kNone; a texture multiplies its factor as glTF says.
 struct Material {
-  vec4 baseColor;          // factor; alpha in w
-  vec3 emission;           // W/(m² sr), emissiveFactor · emissiveStrength
+  vec4 baseColor;  // factor; alpha in w
+  vec3 emission;   // W/(m² sr), emissiveFactor · emissiveStrength
   float metallic;
-  vec3 specularColor;      // KHR_materials_specular specularColorFactor
-  float roughness;         // perceptual; alpha = roughness²
-  vec3 absorption;         // KHR_materials_volume: -ln(attenuationColor)/attenuationDistance, 1/m
+  vec3 specularColor;  // KHR_materials_specular specularColorFactor
+  float roughness;     // perceptual; alpha = roughness²
+  vec3 absorption;     // KHR_materials_volume: -ln(attenuationColor)/attenuationDistance, 1/m
   float transmission;
   float ior;
-  float specular;          // KHR_materials_specular specularFactor
+  float specular;  // KHR_materials_specular specularFactor
   float normalScale;
   float alphaCutoff;
   float clearcoat;
@@ -55,14 +55,14 @@ struct Material {
   uint metallicRoughnessTexture;  // g: roughness, b: metallic
   uint normalTexture;
   uint emissiveTexture;
-  uint transmissionTexture;       // r
-  uint specularTexture;           // a
-  uint specularColorTexture;      // rgb, sRGB
-  uint clearcoatTexture;          // r
-  uint clearcoatRoughnessTexture; // g
+  uint transmissionTexture;        // r
+  uint specularTexture;            // a
+  uint specularColorTexture;       // rgb, sRGB
+  uint clearcoatTexture;           // r
+  uint clearcoatRoughnessTexture;  // g
   uint clearcoatNormalTexture;
   float clearcoatNormalScale;
-  uint unused0;                   // up to whole texels of 16 bytes
+  uint unused0;  // up to whole texels of 16 bytes
   uint unused1;
 };
 SHARED_CONST uint kMaterialTexels = 9u;
@@ -79,10 +79,10 @@ struct Texture {
   uint height;
   uint wrapS;
   uint wrapT;
-  uint isNearest;   // 1: no interpolation
-  uint isSrgb;      // 1: rgb decode from sRGB
-  uint uvSet;       // 0, 1
-  vec3 uvRow0;      // u' = dot(uvRow0, (u, v, 1))
+  uint isNearest;  // 1: no interpolation
+  uint isSrgb;     // 1: rgb decode from sRGB
+  uint uvSet;      // 0, 1
+  vec3 uvRow0;     // u' = dot(uvRow0, (u, v, 1))
   vec3 uvRow1;
 };
 
@@ -96,15 +96,15 @@ SHARED_CONST uint kLightEnvironment = 4u;
 /// One light. glTF's candela and lux are taken as W/sr and W/m² per channel.
 struct Light {
   uint kind;
-  uint triangle;     // kLightTriangle: index of the emissive triangle
-  float power;       // W, mean of the channels: what it emits in all; weight for choosing lights
-  float area;        // m², of one side
-  vec3 emission;     // triangle: mean radiance W/(m² sr); point, spot: W/sr; directional: W/m²; environment: W/(m² sr)
-  vec3 position;     // point, spot; triangle: its centroid
-  float cosInner;    // spot
-  vec3 direction;    // spot, directional: where the light goes; triangle: normal of the front; unit length
-  float cosOuter;    // spot
-  uint isTwoSided;   // triangle: 1 if both sides emit
+  uint triangle;   // kLightTriangle: index of the emissive triangle
+  float power;     // W, mean of the channels: what it emits in all; weight for choosing lights
+  float area;      // m², of one side
+  vec3 emission;   // triangle: mean radiance W/(m² sr); point, spot: W/sr; directional: W/m²; environment: W/(m² sr)
+  vec3 position;   // point, spot; triangle: its centroid
+  float cosInner;  // spot
+  vec3 direction;  // spot, directional: where the light goes; triangle: normal of the front; unit length
+  float cosOuter;  // spot
+  uint isTwoSided;  // triangle: 1 if both sides emit
 };
 
 SHARED_END

@@ -41,12 +41,12 @@ std::vector<FilmPixel> filmOf(const std::function<Seen(int x, int y)>& seen, flo
 
 Seen onFloor(int x, int y) { return {vec3(x, 0, y), vec3(0, 1, 0), 1, (x / 3 + y / 3) % 2 == 0 ? 0.2f : 0.8f}; }
 
-FilteredLight filterIndirect(std::span<const FilmPixel> film, int threads = 1) {
+LightOfHalves filterIndirect(std::span<const FilmPixel> film, int threads = 1) {
   return LightFilter(film, kWidth, kFourPaths, threads).clean(&FilmPixel::indirect);
 }
 
 /// Of the image of both halves over irradiance 1, root mean square over pixels that `counts`.
-double errorOf(const FilteredLight& image, const std::function<Seen(int, int)>& seen,
+double errorOf(const LightOfHalves& image, const std::function<Seen(int, int)>& seen,
                const std::function<bool(int, int)>& counts) {
   double sum = 0, n = 0;
   for (int y = 0; y < kHeight; ++y)
@@ -87,7 +87,7 @@ TEST(LightFilterTest, SharesNothingBetweenSurfaces) {
     if (x >= 35) s = {vec3(x, -20, y), vec3(0, 1, 0), 9, s.albedo};
     return s;
   };
-  const FilteredLight image = filterIndirect(filmOf(scene, 0.01f));
+  const LightOfHalves image = filterIndirect(filmOf(scene, 0.01f));
   EXPECT_LT(errorOf(image, scene, everywhere), 0.01 * 9);
 }
 
@@ -103,7 +103,7 @@ void expectSharesNothing(const std::function<Seen(int x, int y)>& other) {
   std::vector<FilmPixel> film = filmOf(scene, 0.5f);
   for (std::size_t i = 0; i < film.size(); ++i)
     if (isFloor(static_cast<int>(i % kPixels) % kWidth, 0)) film[i].indirect = film[i].modulation;
-  const FilteredLight image = filterIndirect(film);
+  const LightOfHalves image = filterIndirect(film);
   EXPECT_LT(errorOf(image, scene, isFloor), 1e-6);
   const double error = errorOf(image, scene, [&](int x, int y) { return !isFloor(x, y); });
   EXPECT_LT(error, 1.2 * 0.5 / std::sqrt(2.0) / 2.5) << "little is shared";
@@ -125,7 +125,7 @@ TEST(LightFilterTest, TakesForNoiseWhatTheOtherHalfDoesNotShow) {
   std::vector<FilmPixel> film = filmOf(onFloor, 0.2f);
   const auto evenError = [&] {
     double sum = 0;
-    const FilteredLight image = filterIndirect(film);
+    const LightOfHalves image = filterIndirect(film);
     for (std::size_t i = 0; i < kPixels; ++i)
       sum += std::pow(static_cast<double>(4 * image.even[i].x / film[i].modulation.x) - 1, 2);
     return std::sqrt(sum / static_cast<double>(kPixels));
@@ -143,7 +143,7 @@ TEST(LightFilterTest, SharesEdgesWithEdgesOnly) {
     if (x % 5 == 0) s.normal = vec3(0.5f, 0.5f, 0), s.irradiance = 2;
     return s;
   };
-  const FilteredLight image = filterIndirect(filmOf(scene, 0.2f));
+  const LightOfHalves image = filterIndirect(filmOf(scene, 0.2f));
   const auto isEdge = [](int x, int) { return x % 5 == 0; };
   // Two scales along the column come to a Gaussian of 8 pixels' width.
   const double edges = errorOf(image, scene, isEdge);
@@ -175,6 +175,17 @@ TEST(LightFilterTest, PixelsOnACornerAreMixturesOfItsSides) {
   EXPECT_LT(errorOf(filterIndirect(filmOf(atCorner, 0.2f)), atCorner, isCorner), 2.6 * 0.2 / std::sqrt(2.0) / 3);
 }
 
+// So dim that squares of it are no floats above 0.
+TEST(LightFilterTest, LightNextToNothingStaysFinite) {
+  std::vector<FilmPixel> film = filmOf(atCorner, 0.2f);
+  for (FilmPixel& pixel : film) pixel.indirect *= 1e-24f;
+  const LightOfHalves image = filterIndirect(film);
+  for (std::size_t i = 0; i < kPixels; ++i) {
+    EXPECT_TRUE(std::isfinite(image.even[i].x) && image.even[i].x > 0) << i;
+    EXPECT_TRUE(std::isfinite(image.odd[i].x) && image.odd[i].x > 0) << i;
+  }
+}
+
 TEST(LightFilterTest, CornersKeepLightOfTheirOwn) {
   const auto scene = [](int x, int y) {
     Seen s = atCorner(x, y);
@@ -189,7 +200,7 @@ TEST(LightFilterTest, CornersKeepLightOfTheirOwn) {
 TEST(LightFilterTest, AFewBrightSamplesLeaveNoSpots) {
   std::vector<FilmPixel> film = filmOf(onFloor, 0.1f);
   for (const std::size_t i : {std::size_t{20 * kWidth + 25}, kPixels + 10 * kWidth + 12}) film[i].indirect *= 40.0f;
-  const FilteredLight image = filterIndirect(film);
+  const LightOfHalves image = filterIndirect(film);
   for (std::size_t i = 0; i < kPixels; ++i) {
     const float shown = 2 * (image.even[i].x + image.odd[i].x) / film[i].modulation.x;
     EXPECT_NEAR(shown, 1, 0.1) << i;
@@ -202,7 +213,7 @@ TEST(LightFilterTest, LightThatChangesEvenlyKeepsItsSlopeUpToTheBorder) {
     s.irradiance = 1 + 0.05f * static_cast<float>(x);
     return s;
   };
-  const FilteredLight image = filterIndirect(filmOf(floor, 0.2f));
+  const LightOfHalves image = filterIndirect(filmOf(floor, 0.2f));
   const double inside = errorOf(image, floor, [](int x, int) { return x > 8 && x < kWidth - 8; });
   const double border = errorOf(image, floor, [](int x, int) { return x < 2; });
   EXPECT_LT(inside, 0.2 / std::sqrt(2.0) * 2.2 / 7);
@@ -218,7 +229,7 @@ TEST(LightFilterTest, WeighsErrorsAsTheImageShowsThem) {
     if (x >= kWidth / 2) s = {s.position, vec3(1, 0, 0), 10000, s.albedo};
     return s;
   };
-  const FilteredLight image = filterIndirect(filmOf(scene, 0.05f));
+  const LightOfHalves image = filterIndirect(filmOf(scene, 0.05f));
   const double error = errorOf(image, scene, [](int x, int) { return x < kWidth / 2 && x >= kWidth / 2 - 3; });
   EXPECT_LT(error, 50.0 / 4);
 }
@@ -226,7 +237,7 @@ TEST(LightFilterTest, WeighsErrorsAsTheImageShowsThem) {
 TEST(LightFilterTest, PixelsWithoutGathersKeepTheirLight) {
   std::vector<FilmPixel> film = filmOf(onFloor, 0.2f);
   for (std::size_t i = 0; i < film.size(); i += 3) film[i].gathers = 0;
-  const FilteredLight image = filterIndirect(film);
+  const LightOfHalves image = filterIndirect(film);
   for (std::size_t i = 0; i < kPixels; i += 3) EXPECT_EQ(image.even[i], film[i].indirect / 4.0f);
 }
 
@@ -240,7 +251,7 @@ TEST(LightFilterTest, PartsOfLightAreCleanedEachByItsOwnNoise) {
   LightFilter filter(film, kWidth, kFourPaths, 1);
   EXPECT_LT(errorOf(filter.clean(&FilmPixel::direct), onFloor, everywhere), 0.2 / std::sqrt(2.0) / 20);
   EXPECT_LT(errorOf(filter.clean(&FilmPixel::indirect), onFloor, everywhere), 1e-6);
-  const FilteredLight caustic = filter.clean(&FilmPixel::caustic);
+  const LightOfHalves caustic = filter.clean(&FilmPixel::caustic);
   for (std::size_t i = 0; i < kPixels; ++i) EXPECT_EQ(caustic.even[i], vec3(0));
 }
 
@@ -271,7 +282,7 @@ TEST(LightFilterTest, ALeaningShadingNormalDoesNotLeaveItsPlane) {
 
 TEST(LightFilterTest, GivesTheSameBitsOnAnyNumberOfThreads) {
   const std::vector<FilmPixel> film = filmOf(onFloor, 0.3f);
-  const FilteredLight one = filterIndirect(film), three = filterIndirect(film, 3);
+  const LightOfHalves one = filterIndirect(film), three = filterIndirect(film, 3);
   EXPECT_EQ(one.even, three.even);
   EXPECT_EQ(one.odd, three.odd);
 }

@@ -62,12 +62,12 @@ float inverse(float samples) { return samples > 0 ? 1 / samples : 0.0f; }
 
 /// The parts of a pixel's light, each in both halves, as means over their paths.
 struct LightParts {
-  FilteredLight direct, caustic, indirect;
+  LightOfHalves direct, caustic, indirect;
 };
 
-FilteredLight meansOf(std::span<const FilmPixel> halves, const SampleCounts& counts, vec3 FilmPixel::*light) {
+LightOfHalves meansOf(std::span<const FilmPixel> halves, const SampleCounts& counts, vec3 FilmPixel::*light) {
   const std::size_t pixels = halves.size() / 2;
-  FilteredLight means{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
+  LightOfHalves means{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
   for (std::size_t i = 0; i < pixels; ++i) {
     means.even[i] = halves[i].*light * inverse(counts.even(i));
     means.odd[i] = halves[pixels + i].*light * inverse(counts.odd(i));
@@ -99,7 +99,7 @@ FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& rea
   const float share = counts.evenShare();
   const auto mix = [share](const vec3& even, const vec3& odd) { return even * share + odd * (1 - share); };
   const LightParts parts = readParts(halves, reading);
-  FilteredLight shown{std::vector<vec3>(pixels), std::vector<vec3>(pixels)}, raw = shown;
+  LightOfHalves shown{std::vector<vec3>(pixels), std::vector<vec3>(pixels)}, raw = shown;
   FilmLayers layers;
   for (auto* layer : {&layers.total, &layers.direct, &layers.caustic, &layers.indirect, &layers.variance})
     layer->resize(pixels);

@@ -138,7 +138,7 @@ bool seesSeveral(const SurfaceSmoother& smoother, std::size_t i) {
 }  // namespace
 
 void mixEdges(const SurfaceSmoother& smoother, const Planes& modulation, const Halves& raw, float evenShare,
-              Halves& shown) {
+              float leastSquare, Halves& shown) {
   const SurfaceGuides& guides = smoother.guides();
   const std::size_t pixels = guides.kind.size();
   Halves mixed(pixels);
@@ -173,9 +173,10 @@ void mixEdges(const SurfaceSmoother& smoother, const Planes& modulation, const H
       apart += (a - b) * (a - b);
       size += (even + odd) / weight;
     }
-    if (!(size > 0)) return;
     isMixed[i] = 1;
-    each.set(i, 36 * both / (size * size), 36 * apart / (size * size));
+    if (!(size > 0)) return;  // none of the surfaces reflects
+    const float importance = importanceOf(size, leastSquare);
+    each.set(i, importance * both, importance * apart);
   });
   forEdges([&](int x, int y, std::size_t i) {
     if (isMixed[i] == 0) return;

@@ -21,4 +21,8 @@ struct Halves {
   explicit Halves(std::size_t pixels) { planes.fill(Plane(pixels)); }
 };
 
+/// How much squared errors count where the channels of both halves come to `sum`: relative to what is there, as in
+/// relMSE. `leastSquare`: of such sums, above 0.
+inline float importanceOf(float sum, float leastSquare) { return 1 / (sum * sum + leastSquare); }
+
 }  // namespace importon

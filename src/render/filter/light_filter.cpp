@@ -44,13 +44,14 @@ LightFilter::LightFilter(std::span<const FilmPixel> halves, int width, const Sam
   });
 }
 
-FilteredLight LightFilter::clean(vec3 FilmPixel::*light) {
-  FilteredLight result{std::vector<vec3>(pixels_), std::vector<vec3>(pixels_)};
+LightOfHalves LightFilter::clean(vec3 FilmPixel::*light) {
+  LightOfHalves result{std::vector<vec3>(pixels_), std::vector<vec3>(pixels_)};
   if (std::all_of(film_.begin(), film_.end(), [&](const FilmPixel& p) { return p.*light == vec3(0); })) return result;
   readRaw(light);
   cleanRaw();
   // Other light may differ within a pixel: an edge is often one of a shadow, too.
-  if (light == &FilmPixel::indirect) mixEdges(smoother_, light_.weights, light_.raw, counts_.evenShare(), light_.shown);
+  if (light == &FilmPixel::indirect)
+    mixEdges(smoother_, light_.weights, light_.raw, counts_.evenShare(), light_.leastSquare, light_.shown);
   forPixels([&](std::size_t i) {
     result.even[i] = film_[i].*light / counts_.even(i);
     result.odd[i] = film_[pixels_ + i].*light / counts_.odd(i);
@@ -82,9 +83,6 @@ void LightFilter::readRaw(vec3 FilmPixel::*light) {
   light_.leastSquare = std::max(static_cast<float>(0.01 * mean * mean), std::numeric_limits<float>::min());
 }
 
-/// Of squared errors where the channels of both halves come to `sum`, as relMSE weighs them.
-float LightFilter::importanceOf(float sum) const { return 1 / (sum * sum + light_.leastSquare); }
-
 void LightFilter::cleanRaw() {
   for (Plane& plane : light_.shown.planes) std::fill(plane.begin(), plane.end(), 0.0f);
   goThrough(light_.raw, true);
@@ -95,7 +93,7 @@ void LightFilter::cleanRaw() {
         light_.rest.planes[c][i] = light_.raw.planes[c][i] - light_.shown.planes[c][i];
         sum += light_.shown.planes[c][i];
       }
-      light_.importance[i] = importanceOf(sum);
+      light_.importance[i] = importanceOf(sum, light_.leastSquare);
     });
     goThrough(light_.rest, false);
   }
@@ -139,7 +137,7 @@ void LightFilter::splitScale(int scale, bool isFirst) {
       apart += (even - odd) * (even - odd);
     }
     const bool isShared = light_.weights[0][i] + light_.weights[1][i] + light_.weights[2][i] > 0;
-    const float importance = !isShared ? 0.0f : isFirst ? importanceOf(sum) : light_.importance[i];
+    const float importance = !isShared ? 0.0f : isFirst ? importanceOf(sum, light_.leastSquare) : light_.importance[i];
     scale_.statistics.set(i, importance * product, importance * apart);
   });
 }

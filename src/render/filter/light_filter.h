@@ -14,7 +14,7 @@
 namespace importon {
 
 /// Light of both halves with its modulation, per pixel: means over paths.
-struct FilteredLight {
+struct LightOfHalves {
   std::vector<vec3> even, odd;
 };
 
@@ -52,7 +52,7 @@ class LightFilter {
   /// they are.
   LightFilter(std::span<const FilmPixel> halves, int width, const SampleCounts& counts, int threads);
   /// Of direct, caustic or indirect light. Emitted light is not shared.
-  [[nodiscard]] FilteredLight clean(vec3 FilmPixel::*light);
+  [[nodiscard]] LightOfHalves clean(vec3 FilmPixel::*light);
 
  private:
   void readRaw(vec3 FilmPixel::*light);
@@ -60,7 +60,6 @@ class LightFilter {
   void goThrough(const Halves& light, bool isFirst);
   void splitScale(int scale, bool isFirst);
   void keepLight(int scale);
-  [[nodiscard]] float importanceOf(float sum) const;
   template <class Body>
   void forPixels(const Body& body) const;
 

@@ -168,12 +168,11 @@ bool doAllGather(std::span<const FilmPixel> halves, const SampleCounts& counts, 
 
 /// Whether so many of the pixels around that look through something see several surfaces that this one's paths part,
 /// too, if only there were more of them.
-bool doPathsPart(std::span<const std::uint8_t> through, int x, int y, int width, int height) {
+bool doPathsPart(std::span<const std::uint8_t> through, const SurfaceGuides& guides, int x, int y) {
   int parted = 0, all = 0;
-  for (int qy = std::max(y - kAround, 0); qy <= std::min(y + kAround, height - 1); ++qy)
-    for (int qx = std::max(x - kAround, 0); qx <= std::min(x + kAround, width - 1); ++qx) {
-      const std::uint8_t is =
-          through[static_cast<std::size_t>(qy) * static_cast<std::size_t>(width) + static_cast<std::size_t>(qx)];
+  for (int qy = std::max(y - kAround, 0); qy <= std::min(y + kAround, guides.height - 1); ++qy)
+    for (int qx = std::max(x - kAround, 0); qx <= std::min(x + kAround, guides.width - 1); ++qx) {
+      const std::uint8_t is = through[guides.at(qx, qy)];
       all += is != 0;
       parted += is == 2;
     }
@@ -204,7 +203,7 @@ SurfaceGuides readGuides(std::span<const FilmPixel> halves, int width, const Sam
     through[i] = seen.isThrough() ? (seen.isOneSurface() && doAllGather(halves, counts, i) ? 1 : 2) : 0;
   });
   forRows([&](int x, int y, std::size_t i, const Seen& seen) {
-    readGuide(seen, through[i] != 0 && doPathsPart(through, x, y, width, guides.height), i, guides);
+    readGuide(seen, through[i] != 0 && doPathsPart(through, guides, x, y), i, guides);
   });
   return guides;
 }
