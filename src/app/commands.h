@@ -5,7 +5,7 @@
 
 #include "app/command_line.h"
 #include "base/error.h"
-#include "scene/uri.h"
+#include "scene/container/uri.h"
 
 namespace importon {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/log.h"
-#include "scene/gltf_mesh.h"
+#include "scene/meshes/gltf_mesh.h"
 #include "scene/scene.h"
 
 namespace importon {

@@ -3,18 +3,18 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "scene/container/gltf_document.h"
+#include "scene/container/gltf_resources.h"
 #include "scene/geometry.h"
-#include "scene/gltf_camera.h"
-#include "scene/gltf_document.h"
-#include "scene/gltf_image.h"
-#include "scene/gltf_image_light.h"
-#include "scene/gltf_light.h"
-#include "scene/gltf_material.h"
-#include "scene/gltf_nodes.h"
-#include "scene/gltf_resources.h"
+#include "scene/images/gltf_image.h"
 #include "scene/lights.h"
-#include "scene/mesh_library.h"
-#include "scene/tangents.h"
+#include "scene/materials/gltf_material.h"
+#include "scene/meshes/mesh_library.h"
+#include "scene/meshes/tangents.h"
+#include "scene/nodes/gltf_camera.h"
+#include "scene/nodes/gltf_image_light.h"
+#include "scene/nodes/gltf_light.h"
+#include "scene/nodes/gltf_nodes.h"
 
 namespace importon {
 namespace {

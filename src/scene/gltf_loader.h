@@ -6,8 +6,8 @@
 #include <span>
 
 #include "base/log.h"
+#include "scene/container/uri.h"
 #include "scene/scene.h"
-#include "scene/uri.h"
 
 namespace importon {
 

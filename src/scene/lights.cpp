@@ -5,8 +5,8 @@
 
 #include "base/parallel.h"
 #include "scene/environment.h"
+#include "scene/images/texture_sampling.h"
 #include "scene/light_math.h"
-#include "scene/texture_sampling.h"
 
 namespace importon {
 namespace {

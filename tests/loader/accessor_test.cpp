@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "loader/load.h"
-#include "scene/gltf_accessor.h"
+#include "scene/meshes/gltf_accessor.h"
 
 namespace importon::test {
 namespace {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "loader/load.h"
-#include "scene/gltf_camera.h"
 #include "scene/lights.h"
+#include "scene/nodes/gltf_camera.h"
 
 namespace importon::test {
 namespace {

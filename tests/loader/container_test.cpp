@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "loader/load.h"
-#include "scene/gltf_container.h"
+#include "scene/container/gltf_container.h"
 
 namespace importon::test {
 namespace {

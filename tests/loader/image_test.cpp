@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "loader/image_builder.h"
 #include "loader/load.h"
-#include "scene/image_decode.h"
+#include "scene/images/image_decode.h"
 
 namespace importon::test {
 namespace {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "loader/load.h"
+#include "scene/meshes/triangulate.h"
 #include "scene/packing.h"
-#include "scene/triangulate.h"
 
 namespace importon::test {
 namespace {

@@ -2,8 +2,8 @@
 
 #include "loader/image_builder.h"
 #include "loader/load.h"
+#include "scene/meshes/tangents.h"
 #include "scene/packing.h"
-#include "scene/tangents.h"
 
 namespace importon::test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "loader/image_builder.h"
 #include "loader/load.h"
-#include "scene/texture_sampling.h"
+#include "scene/images/texture_sampling.h"
 
 namespace importon::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "render/options/gather_source.h"
-#include "scene/material_table.h"
+#include "scene/materials/material_table.h"
 #include "shared/features.h"
 
 namespace importon {

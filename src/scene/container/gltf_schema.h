@@ -1,0 +1,15 @@
+/// Checks the JSON of a glTF file before anything is read from it: types, ranges, and every index.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+
+#include "scene/container/gltf_source.h"
+
+namespace importon {
+
+/// Throws SceneError, with the JSON pointer of the culprit, unless each property that the loader reads has the
+/// type and range that glTF 2.0 asks for and each index names an existing element. What comes after may index
+/// without asking. (tinygltf 2.7 reads a property of the wrong type as if it weren't there, and checks hardly
+/// any index.)
+void checkSchema(const nlohmann::json& document, const GltfSource& source);
+
+}  // namespace importon

@@ -1,0 +1,181 @@
+#include "scene/container/gltf_schema_rules.h"
+
+#include "scene/materials/material_table.h"
+
+namespace importon {
+namespace {
+
+using enum SchemaKind;
+
+constexpr double kMaxInteger = 2147483647.0;
+
+/// Collects rules below one path.
+class Rules {
+ public:
+  Rules(std::vector<SchemaRule>& rules, std::string base) : rules_(rules), base_(std::move(base)) {}
+
+  Rules& optional(const std::string& key, SchemaKind kind) { return add({.path = key, .kind = kind}); }
+  Rules& required(const std::string& key, SchemaKind kind) {
+    return add({.path = key, .kind = kind, .isRequired = true});
+  }
+  Rules& choice(const std::string& key, std::vector<std::string> choices, bool isRequired = true) {
+    return add({.path = key, .kind = string, .isRequired = isRequired, .choices = std::move(choices)});
+  }
+  Rules& count(const std::string& key, double least = 0, bool isRequired = false, double most = kMaxInteger) {
+    return add({.path = key, .kind = integer, .isRequired = isRequired, .least = least, .most = most});
+  }
+  Rules& range(const std::string& key, double least, double most = kNoLimit) {
+    return add({.path = key, .kind = number, .least = least, .most = most});
+  }
+  Rules& vector(const std::string& key, std::size_t length, double least = -kNoLimit, double most = kNoLimit) {
+    return add({.path = key, .kind = numbers, .least = least, .most = most, .length = length});
+  }
+  Rules& reference(const std::string& key, const std::string& target, SchemaKind kind = index,
+                   bool isRequired = false) {
+    return add({.path = key, .kind = kind, .isRequired = isRequired, .target = target});
+  }
+  /// A textureInfo with KHR_texture_transform.
+  Rules& texture(const std::string& key) {
+    const std::string transform = key + "/extensions/KHR_texture_transform";
+    optional(key, object).reference(key + "/index", "textures", index, true).count(key + "/texCoord");
+    optional(transform, object).vector(transform + "/offset", 2).optional(transform + "/rotation", number);
+    return vector(transform + "/scale", 2).count(transform + "/texCoord");
+  }
+
+ private:
+  Rules& add(SchemaRule rule) {
+    if (!base_.empty()) rule.path = base_ + "/" + rule.path;
+    rules_.push_back(std::move(rule));
+    return *this;
+  }
+  std::vector<SchemaRule>& rules_;
+  std::string base_;
+};
+
+void addRoot(std::vector<SchemaRule>& rules) {
+  Rules root(rules, "");
+  root.required("asset", object).required("asset/version", string);
+  root.optional("extensionsUsed", strings).optional("extensionsRequired", strings).optional("extensions", object);
+  root.optional("extensions/KHR_lights_punctual", object);
+  root.required("extensions/KHR_lights_punctual/lights", objects);
+  for (const char* key : {"scenes", "nodes", "meshes", "accessors", "bufferViews", "buffers", "images", "samplers",
+                          "textures", "materials", "cameras", "skins"}) {
+    root.optional(key, objects);
+  }
+  root.reference("scene", "scenes").reference("scenes/*/nodes", "nodes", indices);
+}
+
+void addNodes(std::vector<SchemaRule>& rules) {
+  Rules node(rules, "nodes/*");
+  node.reference("children", "nodes", indices).reference("mesh", "meshes").reference("camera", "cameras");
+  node.reference("skin", "skins").vector("matrix", 16).vector("translation", 3).vector("rotation", 4);
+  node.vector("scale", 3).vector("weights", 0);
+  node.optional("extensions/KHR_lights_punctual", object);
+  node.reference("extensions/KHR_lights_punctual/light", "extensions/KHR_lights_punctual/lights", index, true);
+  Rules environment(rules, "scenes/*/extras/environment");
+  environment.optional("type", string).vector("radiance", 3, 0, kBrightestFactor);
+  const std::string imageLights = "extensions/EXT_lights_image_based/lights";
+  Rules(rules, "scenes/*")
+      .optional("extensions/EXT_lights_image_based", object)
+      .reference("extensions/EXT_lights_image_based/light", imageLights, index, true);
+  Rules(rules, "").optional("extensions/EXT_lights_image_based", object).required(imageLights, objects);
+  Rules imageLight(rules, imageLights + "/*");
+  imageLight.range("intensity", 0, kBrightestFactor)
+      .vector("rotation", 4)
+      .vector("irradianceCoefficients/*", 3, -kBrightestFactor, kBrightestFactor);
+  imageLight.reference("specularImages/*", "images", indices);
+  Rules skin(rules, "skins/*");
+  skin.reference("joints", "nodes", indices, true).reference("skeleton", "nodes");
+  skin.reference("inverseBindMatrices", "accessors");
+}
+
+void addMeshes(std::vector<SchemaRule>& rules) {
+  Rules mesh(rules, "meshes/*");
+  mesh.required("primitives", objects).vector("weights", 0);
+  Rules primitive(rules, "meshes/*/primitives/*");
+  primitive.reference("attributes", "accessors", indexMap, true).reference("indices", "accessors");
+  primitive.reference("material", "materials").count("mode", 0, false, 6).optional("targets", objects);
+  primitive.reference("targets/*", "accessors", indexMap);
+}
+
+void addData(std::vector<SchemaRule>& rules) {
+  Rules accessor(rules, "accessors/*");
+  accessor.reference("bufferView", "bufferViews").count("byteOffset").count("componentType", 0, true);
+  accessor.count("count", 1, true).choice("type", {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"});
+  accessor.optional("normalized", boolean);
+  accessor.optional("sparse", object).count("sparse/count", 1, true);
+  accessor.required("sparse/indices", object).required("sparse/values", object);
+  accessor.reference("sparse/indices/bufferView", "bufferViews", index, true).count("sparse/indices/byteOffset");
+  accessor.count("sparse/indices/componentType", 0, true);
+  accessor.reference("sparse/values/bufferView", "bufferViews", index, true).count("sparse/values/byteOffset");
+  Rules view(rules, "bufferViews/*");
+  view.reference("buffer", "buffers", index, true).count("byteOffset").count("byteLength", 1, true);
+  view.count("byteStride", 4, false, 252);
+  Rules(rules, "buffers/*").count("byteLength", 1, true).optional("uri", string);
+}
+
+void addTextures(std::vector<SchemaRule>& rules) {
+  Rules image(rules, "images/*");
+  image.optional("uri", string).reference("bufferView", "bufferViews").optional("mimeType", string);
+  Rules sampler(rules, "samplers/*");
+  sampler.count("magFilter").count("minFilter").count("wrapS").count("wrapT");
+  Rules texture(rules, "textures/*");
+  texture.reference("sampler", "samplers").reference("source", "images");
+}
+
+void addMaterials(std::vector<SchemaRule>& rules) {
+  Rules material(rules, "materials/*");
+  material.optional("pbrMetallicRoughness", object).optional("extensions", object);
+  material.choice("alphaMode", {"OPAQUE", "MASK", "BLEND"}, false).optional("doubleSided", boolean);
+  Rules extension(rules, "materials/*/extensions");
+  for (const char* name : {"emissive_strength", "transmission", "ior", "volume", "specular", "clearcoat", "unlit"}) {
+    extension.optional(std::string("KHR_materials_") + name, object);
+  }
+  extension.range("KHR_materials_emissive_strength/emissiveStrength", 0, kBrightestFactor)
+      .range("KHR_materials_ior/ior", 0);
+  Rules volume(rules, "materials/*/extensions/KHR_materials_volume");
+  volume.range("thicknessFactor", 0).range("attenuationDistance", 0).vector("attenuationColor", 3, 0, 1);
+  for (const MaterialRow& row : materialRows()) {
+    const std::string key = (row.place.empty() ? "" : std::string(row.place) + "/") + std::string(row.key);
+    if (std::holds_alternative<MaterialTexture>(row.field)) material.texture(key);
+    if (std::holds_alternative<float Material::*>(row.field)) material.range(key, row.least, row.most);
+    if (std::holds_alternative<vec3 Material::*>(row.field)) material.vector(key, 3, row.least, row.most);
+    if (std::holds_alternative<vec4 Material::*>(row.field)) material.vector(key, 4, row.least, row.most);
+  }
+}
+
+void addCamerasAndLights(std::vector<SchemaRule>& rules) {
+  Rules camera(rules, "cameras/*");
+  camera.choice("type", {"perspective", "orthographic"})
+      .optional("perspective", object)
+      .optional("orthographic", object);
+  camera.required("perspective/yfov", number).required("perspective/znear", number).range("perspective/aspectRatio", 0);
+  for (const char* key : {"xmag", "ymag", "zfar", "znear"}) camera.required(std::string("orthographic/") + key, number);
+  Rules light(rules, "extensions/KHR_lights_punctual/lights/*");
+  light.choice("type", {"point", "spot", "directional"})
+      .vector("color", 3, 0, kBrightestFactor)
+      .range("intensity", 0, kBrightestFactor)
+      .range("range", 0);
+  light.optional("spot", object).range("spot/innerConeAngle", 0).range("spot/outerConeAngle", 0);
+}
+
+std::vector<SchemaRule> makeRules() {
+  std::vector<SchemaRule> rules;
+  addRoot(rules);
+  addNodes(rules);
+  addMeshes(rules);
+  addData(rules);
+  addTextures(rules);
+  addMaterials(rules);
+  addCamerasAndLights(rules);
+  return rules;
+}
+
+}  // namespace
+
+const std::vector<SchemaRule>& schemaRules() {
+  static const std::vector<SchemaRule> kRules = makeRules();
+  return kRules;
+}
+
+}  // namespace importon

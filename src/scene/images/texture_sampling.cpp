@@ -1,0 +1,75 @@
+#include "scene/images/texture_sampling.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace importon {
+namespace {
+
+/// IEC 61966-2-1.
+std::array<float, 256> makeSrgbTable() {
+  std::array<float, 256> table{};
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const double encoded = static_cast<double>(i) / 255.0;
+    table[i] = static_cast<float>(encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
+  }
+  return table;
+}
+
+float linear(uint byte, bool isSrgb) {
+  static const std::array<float, 256> kFromSrgb = makeSrgbTable();
+  return isSrgb ? kFromSrgb[byte] : static_cast<float>(byte) / 255.0f;
+}
+
+/// The texel of a row or column of `size` that holds coordinate `t`.
+uint wrapped(float t, uint size, uint mode) {
+  double inside = t;
+  if (mode == kWrapRepeat) {
+    inside -= std::floor(inside);
+  } else if (mode == kWrapMirror) {
+    inside -= 2.0 * std::floor(inside / 2.0);
+    if (inside > 1.0) inside = 2.0 - inside;
+  }
+  const double texel = std::floor(inside * size);
+  return static_cast<uint>(std::clamp(texel, 0.0, static_cast<double>(size - 1)));
+}
+
+}  // namespace
+
+vec2 transformUv(const Texture& texture, const vec2& uv) {
+  return {glm::dot(texture.uvRow0, vec3(uv, 1.0f)), glm::dot(texture.uvRow1, vec3(uv, 1.0f))};
+}
+
+vec3 nearestTexel(const Texture& texture, std::span<const uint> texels, const vec2& uv) {
+  const std::size_t x = wrapped(uv.x, texture.width, texture.wrapS);
+  const std::size_t y = wrapped(uv.y, texture.height, texture.wrapT);
+  const uint texel = texels[texture.firstTexel + y * texture.width + x];
+  const bool isSrgb = texture.isSrgb != 0;
+  return {linear(texel & 0xFFu, isSrgb), linear(texel >> 8 & 0xFFu, isSrgb), linear(texel >> 16 & 0xFFu, isSrgb)};
+}
+
+vec3 meanOverTriangle(const Texture& texture, std::span<const uint> texels, const vec2 (&uv)[3]) {
+  constexpr float kMostPerSide = 64.0f;
+  const vec2 a = transformUv(texture, uv[0]);
+  const vec2 e1 = transformUv(texture, uv[1]) - a;
+  const vec2 e2 = transformUv(texture, uv[2]) - a;
+  const vec2 size(static_cast<float>(texture.width), static_cast<float>(texture.height));
+  const float longest = std::max({glm::length(e1 * size), glm::length(e2 * size), glm::length((e2 - e1) * size)});
+  const int side = std::isfinite(longest) ? static_cast<int>(std::clamp(std::ceil(longest), 1.0f, kMostPerSide)) : 1;
+  // The triangle is cut into side² equal ones, pointing up and down in turn; each gives its centroid.
+  glm::dvec3 sum(0.0);
+  for (int row = 0; row < side; ++row) {
+    for (int column = 0; column < side - row; ++column) {
+      for (int down = 0; down <= (column + 1 < side - row ? 1 : 0); ++down) {
+        const float centroid = down == 0 ? 1.0f / 3.0f : 2.0f / 3.0f;
+        const float u = (static_cast<float>(column) + centroid) / static_cast<float>(side);
+        const float v = (static_cast<float>(row) + centroid) / static_cast<float>(side);
+        sum += glm::dvec3(nearestTexel(texture, texels, a + e1 * u + e2 * v));
+      }
+    }
+  }
+  return vec3(sum / (static_cast<double>(side) * side));
+}
+
+}  // namespace importon

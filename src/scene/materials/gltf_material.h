@@ -1,0 +1,30 @@
+/// Materials and the textures they use, without the texels.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/log.h"
+#include "scene/container/gltf_document.h"
+#include "shared/scene_data.h"
+
+namespace importon {
+
+/// Materials that `isUsed` asks for, in the order of the file.
+struct MaterialSet {
+  std::vector<Material> materials;
+  std::vector<std::string> names;
+  std::vector<uint> materialOfFile;         // by index in the file; kNone if not used
+  std::vector<Texture> textures;            // firstTexel, width and height still 0
+  std::vector<std::size_t> imageOfTexture;  // index in the file
+};
+
+/// The material of a primitive that has none (glTF 2.0, section 3.9.7): white, metallic 1, roughness 1.
+[[nodiscard]] Material defaultMaterial();
+
+/// Which UV sets the textures of a material read: bit n for set n.
+[[nodiscard]] unsigned uvSetsOf(const Material& material, const std::vector<Texture>& textures);
+
+/// Reads the materials with isUsed[i]. Throws SceneError.
+[[nodiscard]] MaterialSet readMaterials(const GltfDocument& document, const std::vector<bool>& isUsed, Log& log);
+
+}  // namespace importon

@@ -1,0 +1,133 @@
+#include "scene/meshes/gltf_mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "base/error.h"
+#include "scene/container/gltf_advice.h"
+#include "scene/meshes/gltf_accessor.h"
+#include "scene/meshes/triangulate.h"
+
+namespace importon {
+namespace {
+
+/// Reads the attributes of one primitive.
+class PartReader {
+ public:
+  PartReader(const GltfDocument& document, const tinygltf::Primitive& primitive, std::string pointer, Log& log)
+      : document_(document), primitive_(primitive), pointer_(std::move(pointer)), log_(log) {}
+
+  MeshPart read(const std::vector<double>& weights) {
+    const auto position = primitive_.attributes.find("POSITION");
+    if (position == primitive_.attributes.end()) fail("POSITION is missing", "/attributes");
+    vertexCount_ = document_.model.accessors[static_cast<std::size_t>(position->second)].count;
+    MeshPart part;
+    part.material = primitive_.material;
+    part.positions = attribute<3>("POSITION");
+    part.normals = attribute<3>("NORMAL");
+    part.tangents = attribute<4>("TANGENT");
+    part.uv0 = attribute<2>("TEXCOORD_0");
+    part.uv1 = attribute<2>("TEXCOORD_1");
+    part.colors = attribute<4>("COLOR_0");
+    part.joints = attribute<4>("JOINTS_0");
+    part.jointWeights = attribute<4>("WEIGHTS_0");
+    morph(part, weights);
+    part.triangles = readTriangles();
+    return part;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what, const std::string& rest) const {
+    throw SceneError(what, document_.source.at(pointer_ + rest), kExportAgain);
+  }
+
+  template <int N>
+  std::vector<glm::vec<N, float>> values(const std::map<std::string, int>& attributes, const char* name,
+                                         const std::string& place) const {
+    const auto entry = attributes.find(name);
+    if (entry == attributes.end()) return {};
+    const std::size_t count = document_.model.accessors[static_cast<std::size_t>(entry->second)].count;
+    if (count != vertexCount_) {
+      fail(fmt::format("{} has {} elements but POSITION has {}", name, count, vertexCount_), place);
+    }
+    return readFloats<N>(document_, entry->second, pointer_ + place);
+  }
+
+  template <int N>
+  std::vector<glm::vec<N, float>> attribute(const char* name) const {
+    return values<N>(primitive_.attributes, name, std::string("/attributes/") + name);
+  }
+
+  /// Adds the weighted displacements of a morph target; those of an attribute that the primitive lacks go.
+  template <int N, int M>
+  void displace(std::vector<glm::vec<N, float>>& base, std::size_t target, const char* name, float weight) const {
+    if (base.empty()) return;
+    const std::string place = fmt::format("/targets/{}/{}", target, name);
+    const std::vector<glm::vec<M, float>> change = values<M>(primitive_.targets[target], name, place);
+    for (std::size_t i = 0; i < change.size(); ++i) {
+      for (int c = 0; c < M; ++c) base[i][c] += weight * change[i][c];
+    }
+  }
+
+  void morph(MeshPart& part, const std::vector<double>& weights) const {
+    for (std::size_t target = 0; target < std::min(primitive_.targets.size(), weights.size()); ++target) {
+      const auto weight = static_cast<float>(weights[target]);
+      if (weight == 0) continue;
+      displace<3, 3>(part.positions, target, "POSITION", weight);
+      displace<3, 3>(part.normals, target, "NORMAL", weight);
+      displace<4, 3>(part.tangents, target, "TANGENT", weight);
+      displace<2, 2>(part.uv0, target, "TEXCOORD_0", weight);
+      displace<2, 2>(part.uv1, target, "TEXCOORD_1", weight);
+      displace<4, 4>(part.colors, target, "COLOR_0", weight);
+    }
+  }
+
+  std::vector<uvec3> readTriangles() const {
+    const auto mode = static_cast<TriangleMode>(primitive_.mode);
+    if (primitive_.indices < 0) {
+      warnOfRest(mode, vertexCount_);
+      return triangulate(mode, vertexCount_);
+    }
+    const std::string place = pointer_ + "/indices";
+    const std::vector<uint> indices = readIndices(document_, primitive_.indices, place);
+    const uint largest = *std::max_element(indices.begin(), indices.end());
+    if (largest >= vertexCount_) {
+      fail(fmt::format("index {} is not among the {} vertices", largest, vertexCount_), "/indices");
+    }
+    warnOfRest(mode, indices.size());
+    return triangulate(mode, indices);
+  }
+
+  void warnOfRest(TriangleMode mode, std::size_t corners) const {
+    if (corners >= 3 && (mode != TriangleMode::triangles || corners % 3 == 0)) return;
+    log_.warn("incomplete triangle", fmt::format("{}: {} corners do not make whole triangles; the rest is passed over",
+                                                 document_.source.at(pointer_), corners));
+  }
+
+  const GltfDocument& document_;
+  const tinygltf::Primitive& primitive_;
+  std::string pointer_;
+  Log& log_;
+  std::size_t vertexCount_ = 0;
+};
+
+}  // namespace
+
+std::vector<MeshPart> readMesh(const GltfDocument& document, std::size_t mesh, const std::vector<double>& weights,
+                               Log& log) {
+  std::vector<MeshPart> parts;
+  const std::vector<tinygltf::Primitive>& primitives = document.model.meshes[mesh].primitives;
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    const std::string pointer = fmt::format("/meshes/{}/primitives/{}", mesh, i);
+    if (primitives[i].mode < TINYGLTF_MODE_TRIANGLES) {
+      log.warn("points and lines", fmt::format("{}: points and lines are passed over", document.source.at(pointer)));
+      continue;
+    }
+    parts.push_back(PartReader(document, primitives[i], pointer, log).read(weights));
+  }
+  return parts;
+}
+
+}  // namespace importon

@@ -1,0 +1,31 @@
+/// Mesh primitives as triangle lists in object space.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "base/log.h"
+#include "scene/container/gltf_document.h"
+#include "shared/scene_data.h"
+
+namespace importon {
+
+/// One primitive. Attributes are empty or as long as `positions`; values may be non-finite.
+struct MeshPart {
+  std::vector<vec3> positions;
+  std::vector<vec3> normals;
+  std::vector<vec4> tangents;  // w: sign of the bitangent
+  std::vector<vec2> uv0;
+  std::vector<vec2> uv1;
+  std::vector<vec4> colors;        // linear
+  std::vector<vec4> joints;        // JOINTS_0: indices into the joints of a skin
+  std::vector<vec4> jointWeights;  // WEIGHTS_0
+  std::vector<uvec3> triangles;    // indices into the above, counter-clockwise front
+  int material = -1;               // in the file; -1: the default material
+};
+
+/// Reads the primitives of a mesh with its morph targets applied at `weights`. Points and lines are passed over
+/// with a warning. Throws SceneError.
+[[nodiscard]] std::vector<MeshPart> readMesh(const GltfDocument& document, std::size_t mesh,
+                                             const std::vector<double>& weights, Log& log);
+
+}  // namespace importon
