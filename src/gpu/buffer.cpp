@@ -90,8 +90,8 @@ void allocateMemory(Buffer::Impl& impl, const std::string& name) {
   vkGetBufferMemoryRequirements(device.handle(), impl.buffer.get(), &needs);
   constexpr VkMemoryPropertyFlags kHost =
       VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
-  const auto type =
-      device.memoryType(needs.memoryTypeBits, device.mapsBuffers() ? kHost : 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+  const auto type = device.facts().memoryType(needs.memoryTypeBits, device.facts().mapsBuffers ? kHost : 0,
+                                              VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
   if (!type)
     throw DeviceError("no memory type suits buffer '" + name + "'", device.info().name, "choose another --device");
   VkMemoryAllocateInfo info{};
@@ -106,7 +106,7 @@ void allocateMemory(Buffer::Impl& impl, const std::string& name) {
   impl.allocatedBytes = needs.size;
   device.countAllocation(needs.size);
   check(vkBindBufferMemory(device.handle(), impl.buffer.get(), memory, 0), doing, device.info().name);
-  if (!device.mapsBuffers()) return;
+  if (!device.facts().mapsBuffers) return;
   void* mapped = nullptr;
   check(vkMapMemory(device.handle(), memory, 0, VK_WHOLE_SIZE, 0, &mapped), doing, device.info().name);
   impl.mapped = static_cast<std::byte*>(mapped);

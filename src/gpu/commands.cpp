@@ -9,7 +9,7 @@ CommandPoolHandle createCommandPool(Device& device) {
   VkCommandPoolCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
   info.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
-  info.queueFamilyIndex = device.queueFamily();
+  info.queueFamilyIndex = device.facts().queueFamily;
   VkCommandPool pool = VK_NULL_HANDLE;
   check(vkCreateCommandPool(device.handle(), &info, nullptr, &pool), "create a command pool", device.info().name);
   return {device.handle(), pool};

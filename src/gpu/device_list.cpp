@@ -1,12 +1,11 @@
 #include "gpu/device_list.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "base/error.h"
 #include "gpu/device_choice.h"
-#include "gpu/validation.h"
+#include "gpu/instance.h"
 #include "gpu/vulkan_error.h"
 
 namespace importon::gpu {
@@ -77,40 +76,6 @@ DeviceInfo describe(VkPhysicalDevice device) {
 
 }  // namespace
 
-VkInstance createInstance(bool hasValidation, ValidationLog& log) {
-  if (hasValidation) requireValidationLayer();
-  VkApplicationInfo application{};
-  application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
-  application.pApplicationName = "importon";
-  application.apiVersion = VK_API_VERSION_1_2;
-
-  auto messenger = messengerInfo(log);
-  constexpr std::array kEnabled = {VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
-  VkValidationFeaturesEXT features{};
-  features.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT;
-  features.pNext = &messenger;
-  features.enabledValidationFeatureCount = static_cast<std::uint32_t>(kEnabled.size());
-  features.pEnabledValidationFeatures = kEnabled.data();
-  const char* const layer = kValidationLayer;
-  const char* const extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
-
-  VkInstanceCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
-  info.pApplicationInfo = &application;
-  if (hasValidation) {
-    info.pNext = &features;
-    info.enabledLayerCount = 1;
-    info.ppEnabledLayerNames = &layer;
-    info.enabledExtensionCount = 1;
-    info.ppEnabledExtensionNames = &extension;
-  }
-  VkInstance instance = VK_NULL_HANDLE;
-  const VkResult result = vkCreateInstance(&info, nullptr, &instance);
-  if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw DeviceError("no Vulkan driver was found", "", kInstallDriver);
-  check(result, "create a Vulkan instance", "");
-  return instance;
-}
-
 std::vector<PhysicalDevice> physicalDevices(VkInstance instance) {
   std::uint32_t count = 0;
   const VkResult result = vkEnumeratePhysicalDevices(instance, &count, nullptr);
@@ -130,16 +95,9 @@ std::vector<PhysicalDevice> physicalDevices(VkInstance instance) {
 }
 
 std::vector<DeviceInfo> listDevices() {
-  ValidationLog log;
-  const VkInstance instance = createInstance(false, log);
+  const Instance instance(false);
   std::vector<DeviceInfo> infos;
-  try {
-    for (PhysicalDevice& device : physicalDevices(instance)) infos.push_back(std::move(device.info));
-  } catch (...) {
-    vkDestroyInstance(instance, nullptr);
-    throw;
-  }
-  vkDestroyInstance(instance, nullptr);
+  for (PhysicalDevice& device : physicalDevices(instance.handle())) infos.push_back(std::move(device.info));
   return infos;
 }
 

@@ -8,12 +8,6 @@
 
 namespace importon::gpu {
 
-class ValidationLog;
-
-/// An instance of Vulkan 1.2; with validation, its messages go to `log`. Throws DeviceError with a remedy when
-/// there is no driver.
-[[nodiscard]] VkInstance createInstance(bool hasValidation, ValidationLog& log);
-
 struct PhysicalDevice {
   VkPhysicalDevice handle = VK_NULL_HANDLE;
   DeviceInfo info;

@@ -22,10 +22,10 @@ struct GroupCounts {
 /// Workgroups for `invocations`, in as few rows as the device's limits allow.
 GroupCounts groupCounts(const Kernel& kernel, const Device& device, std::uint64_t invocations) {
   const std::uint64_t groups = (invocations + kernel.workgroupSize() - 1) / kernel.workgroupSize();
-  const std::uint64_t rows = (groups + device.maxWorkgroupCount()[0] - 1) / device.maxWorkgroupCount()[0];
+  const std::uint64_t rows = (groups + device.facts().maxWorkgroupCount[0] - 1) / device.facts().maxWorkgroupCount[0];
   const std::uint64_t columns = (groups + rows - 1) / rows;
   const std::uint64_t covered = rows * columns * kernel.workgroupSize();
-  if (rows > device.maxWorkgroupCount()[1] || covered > (1ull << 32)) {
+  if (rows > device.facts().maxWorkgroupCount[1] || covered > (1ull << 32)) {
     throw std::logic_error("kernel '" + kernel.label() + "': " + std::to_string(invocations) +
                            " invocations are too many for one dispatch");
   }

@@ -39,7 +39,7 @@ void Staging::createBuffer() {
   allocation.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
   allocation.allocationSize = needs.size;
   allocation.memoryTypeIndex =
-      device_
+      device_.facts()
           .memoryType(needs.memoryTypeBits, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
                       VK_MEMORY_PROPERTY_HOST_CACHED_BIT)
           .value();  // Vulkan promises that there is one

@@ -54,7 +54,7 @@ void Timer::collect() {
     KernelTime& time = times_[pending_[i]];
     ++time.launches;
     if (!queries_) continue;
-    const std::uint64_t ticks = (ticks_[i + 1] - ticks_[i]) & device_.timestampMask();
+    const std::uint64_t ticks = (ticks_[i + 1] - ticks_[i]) & device_.facts().timestampMask;
     time.milliseconds += static_cast<double>(ticks) * millisecondsPerTick;
   }
   pending_.clear();
