@@ -117,6 +117,7 @@ void Parser::addCompareLimits() {
   addLimit("--max-relmse", compare.maxRelmse, "relMSE");
   addLimit("--max-flip", compare.maxFlip, "FLIP");
   addLimit("--max-flip-hdr", compare.maxFlipHdr, "HDR-FLIP");
+  addLimit("--max-band", compare.maxBand, "the RMS of blotches, in percent,");
   compareApp
       ->add_option("--floor", compare.floor, "absolute floor in the denominator of relMSE\n(default: 0.01·mean(R)²)")
       ->check(notNegative(""))

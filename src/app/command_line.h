@@ -29,7 +29,7 @@ struct CompareCommand {
   bool isJson = false;
   std::string layer, referenceLayer;    // empty: the colour that there is
   std::filesystem::path diff, diffPng;  // empty: none
-  std::optional<double> maxRelmse, maxFlip, maxFlipHdr;
+  std::optional<double> maxRelmse, maxFlip, maxFlipHdr, maxBand;
   std::optional<double> floor;  // absolute, in the denominator of relMSE
 };
 

@@ -12,6 +12,8 @@
 namespace importon {
 namespace {
 
+constexpr double kPercent = 100;
+
 /// What is seen on plain surfaces.
 struct Cleanness {
   bool isPlainKnown = false;
@@ -33,9 +35,9 @@ std::string asText(const Comparison& result, const Cleanness& clean) {
       "flip_hdr        {:.6g} (HDR-FLIP)\n",
       result.relmse, result.relmseTrimmed, result.smape, result.rmse, result.meanRatio, result.flip, result.flipHdr);
   text += fmt::format(
-      "band            {:.4g} (RMS of ln(I/R) between 2 and 8 pixels; 95 %: {:.4g}, 99 %: {:.4g})\n"
+      "band            {:.4g} % (RMS of ln(I/R) between 2 and 8 pixels; 95th percentile: {:.4g} %, 99th: {:.4g} %)\n"
       "grain           {:.4g} (99.5th over 25th percentile; {})\n",
-      clean.band.rms, clean.band.p95, clean.band.p99, clean.grain,
+      kPercent * clean.band.rms, kPercent * clean.band.p95, kPercent * clean.band.p99, clean.grain,
       clean.isPlainKnown ? "both on plain surfaces" : "both on all pixels: no layers N and P");
   if (result.nonFinitePixels > 0) text += fmt::format("non-finite pixels: {}\n", result.nonFinitePixels);
   return text;
@@ -51,9 +53,9 @@ std::string asJson(const Comparison& result, const Cleanness& clean) {
                                     {"flip", result.flip},
                                     {"flip_kind", "LDR-FLIP, tone-mapped by the reference"},
                                     {"flip_hdr", result.flipHdr},
-                                    {"band_rms", clean.band.rms},
-                                    {"band_p95", clean.band.p95},
-                                    {"band_p99", clean.band.p99},
+                                    {"band_rms", kPercent * clean.band.rms},
+                                    {"band_p95", kPercent * clean.band.p95},
+                                    {"band_p99", kPercent * clean.band.p99},
                                     {"grain_ratio", clean.grain},
                                     {"on_plain_surfaces", clean.isPlainKnown},
                                     {"non_finite_pixels", result.nonFinitePixels}};
@@ -87,6 +89,7 @@ ExitStatus runCompare(const CompareCommand& command) {
   hold("relmse", result.relmse, command.maxRelmse);
   hold("flip", result.flip, command.maxFlip);
   hold("flip_hdr", result.flipHdr, command.maxFlipHdr);
+  hold("band_rms", kPercent * clean.band.rms, command.maxBand);
   return status;
 }
 

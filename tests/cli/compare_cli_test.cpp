@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "cli/program.h"
 #include "io/image.h"
@@ -57,6 +59,22 @@ TEST(Cli, CompareExitsWithFiveAboveALimit) {
   EXPECT_EQ(runImporton({"compare", a, r, "--max-flip", "1"}).status, 0);
   EXPECT_EQ(runImporton({"compare", a, r, "--max-flip", "0.001"}).status, 5);
   EXPECT_EQ(runImporton({"compare", a, a, "--max-flip", "0", "--max-relmse", "0"}).status, 0);
+}
+
+TEST(Cli, CompareGivesBlotchesInPercentAndLimitsThem) {
+  constexpr int kSide = 64;
+  const TemporaryFolder folder;
+  std::vector<float> wavy;  // 20 pixels long, ±5 %: of that 78 % are in the band
+  for (int i = 0; i < kSide * kSide; ++i)
+    wavy.push_back(1 + 0.05F * std::sin(static_cast<float>(i % kSide) * 2 * std::numbers::pi_v<float> / 20));
+  writeExr(folder / "a.exr", {kSide, kSide, {{"R", wavy}, {"G", wavy}, {"B", wavy}}, {}});
+  const std::vector<float> flat(wavy.size(), 1.0F);
+  writeExr(folder / "r.exr", {kSide, kSide, {{"R", flat}, {"G", flat}, {"B", flat}}, {}});
+  const std::string a = folder / "a.exr", r = folder / "r.exr";
+  const auto json = nlohmann::json::parse(runImporton({"compare", a, r, "--json"}).out);
+  EXPECT_NEAR(json["band_rms"].get<double>(), 0.78 * 5 / std::numbers::sqrt2, 0.3);
+  EXPECT_EQ(runImporton({"compare", a, r, "--max-band", "4"}).status, 0);
+  EXPECT_EQ(runImporton({"compare", a, r, "--max-band", "1"}).status, 5);
 }
 
 TEST(Cli, CompareExceedsEveryLimitWithPixelsThatAreNotFinite) {
