@@ -53,6 +53,7 @@ void completeAttributes(MeshLibrary& library, const MaterialSet& set, const std:
     }
     const uint normalTexture =
         material.normalTexture != kNone ? material.normalTexture : material.clearcoatNormalTexture;
+    if (part.normals.empty()) part.tangents.clear();  // glTF 2.0, section 3.7.2.1: flat normals, tangents ignored
     if (part.tangents.empty() && normalTexture != kNone) computeTangents(part, set.textures[normalTexture]);
   }
 }

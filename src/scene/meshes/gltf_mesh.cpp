@@ -115,6 +115,15 @@ class PartReader {
 
 }  // namespace
 
+uint duplicateVertex(MeshPart& part, uint vertex) {
+  const auto duplicate = [vertex](auto&... attributes) {
+    ((attributes.empty() ? void() : attributes.push_back(attributes[vertex])), ...);
+  };
+  duplicate(part.positions, part.normals, part.tangents, part.uv0, part.uv1, part.colors, part.joints,
+            part.jointWeights);
+  return static_cast<uint>(part.positions.size() - 1);
+}
+
 std::vector<MeshPart> readMesh(const GltfDocument& document, std::size_t mesh, const std::vector<double>& weights,
                                Log& log) {
   std::vector<MeshPart> parts;

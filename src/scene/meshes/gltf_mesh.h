@@ -23,6 +23,9 @@ struct MeshPart {
   int material = -1;               // in the file; -1: the default material
 };
 
+/// Appends a copy of a vertex, with all its attributes; returns its index.
+uint duplicateVertex(MeshPart& part, uint vertex);
+
 /// Reads the primitives of a mesh with its morph targets applied at `weights`. Points and lines are passed over
 /// with a warning. Throws SceneError.
 [[nodiscard]] std::vector<MeshPart> readMesh(const GltfDocument& document, std::size_t mesh,
