@@ -11,6 +11,7 @@ layout(constant_id = kSpecHasTransmission) const bool kHasTransmission = true;
 layout(constant_id = kSpecHasMedia) const bool kHasMedia = true;
 layout(constant_id = kSpecHasClearcoat) const bool kHasClearcoat = true;
 layout(constant_id = kSpecHasTriangleLights) const bool kHasTriangleLights = true;
+layout(constant_id = kSpecHasCutLights) const bool kHasCutLights = true;
 layout(constant_id = kSpecHasPunctualLights) const bool kHasPunctualLights = true;
 layout(constant_id = kSpecHasEnvironment) const bool kHasEnvironment = true;
 layout(constant_id = kSpecEyeMode) const uint kEyeMode = kEyeImage;

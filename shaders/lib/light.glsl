@@ -5,6 +5,7 @@
 // includes lib/surface.glsl and what lib/environment.glsl and lib/light_tree.glsl ask for before this file.
 #ifndef IMPORTON_LIB_LIGHT_GLSL
 #define IMPORTON_LIB_LIGHT_GLSL
+#include "lib/alpha.glsl"
 #include "lib/hash.glsl"
 #include "lib/environment.glsl"
 #include "lib/light_tree.glsl"
@@ -133,7 +134,7 @@ struct TrianglePoint {
   vec3 error;
   vec3 normal;     // front side
   float area;      // m²
-  vec3 radiance;   // W/(m² sr)
+  vec3 radiance;   // W/(m² sr), none where alpha has cut the surface away
 };
 
 TrianglePoint lightTrianglePoint(uint triangle, vec2 u) {
@@ -155,6 +156,7 @@ TrianglePoint lightTrianglePoint(uint triangle, vec2 u) {
       p.radiance *= sampleTexture(texture, uv0, uv1).rgb;
     }
   }
+  if (kHasCutLights) p.radiance *= coverageAt(indices, vec3(1.0 - w.x - w.y, w));
   return p;
 }
 

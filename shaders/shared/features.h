@@ -20,6 +20,7 @@ SHARED_CONST uint kSpecHasClearcoat = 15u;
 SHARED_CONST uint kSpecHasTriangleLights = 9u;
 SHARED_CONST uint kSpecHasPunctualLights = 10u;
 SHARED_CONST uint kSpecHasEnvironment = 11u;
+SHARED_CONST uint kSpecHasCutLights = 47u;  // masked or blended triangles that emit
 // The job.
 SHARED_CONST uint kSpecEyeMode = 12u;  // kEyeImage, kEyeImportons, kEyePath
 SHARED_CONST uint kSpecHasCausticMap = 13u;

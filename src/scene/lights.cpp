@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/packing.hpp>
+#include <optional>
 
 #include "base/parallel.h"
 #include "scene/environment.h"
@@ -21,14 +23,60 @@ float triangleArea(const Scene& scene, const Triangle& triangle) {
   return static_cast<float>(0.5 * glm::length(glm::cross(e1, e2)));
 }
 
-vec3 meanRadiance(const Scene& scene, const Triangle& triangle, const Material& material) {
-  if (material.emissiveTexture == kNone) return material.emission;
-  const Texture& texture = scene.textures[material.emissiveTexture];
+/// A material's texture on a triangle; nullopt: it has none.
+std::optional<TriangleTexture> textureOn(const Scene& scene, const Triangle& triangle, uint index) {
+  if (index == kNone) return std::nullopt;
+  const Texture& texture = scene.textures[index];
   const auto uvOf = [&](uint vertex) {
     return texture.uvSet == 0 ? scene.vertices[vertex].uv0 : scene.vertices[vertex].uv1;
   };
   const vec2 uv[3] = {uvOf(triangle.v0), uvOf(triangle.v1), uvOf(triangle.v2)};
-  return material.emission * meanOverTriangle(texture, scene.texels, uv);
+  return TriangleTexture(texture, scene.texels, uv);
+}
+
+/// What alpha leaves of a triangle, as coverageAt of shaders/lib/alpha.glsl does.
+class Coverage {
+ public:
+  Coverage(const Scene& scene, const Triangle& triangle, const Material& material)
+      : material_(material), texture_(textureOn(scene, triangle, material.baseColorTexture)) {
+    for (int k = 0; k < 3; ++k) {
+      const uint vertex = k == 0 ? triangle.v0 : k == 1 ? triangle.v1 : triangle.v2;
+      cornerAlpha_[k] = glm::unpackHalf2x16(scene.vertices[vertex].colorBA).y;
+    }
+  }
+  [[nodiscard]] bool isWhole() const { return (material_.flags & (kMaterialAlphaMask | kMaterialAlphaBlend)) == 0; }
+  [[nodiscard]] int samplesPerSide() const {
+    constexpr int kLeast = 16;  // an edge of a mask is as sharp as can be, whatever the texels
+    return isWhole() ? 1 : std::max(kLeast, texture_ ? texture_->samplesPerSide() : 1);
+  }
+  [[nodiscard]] float at(float u, float v) const {
+    if (isWhole()) return 1.0f;
+    float alpha = material_.baseColor.w * glm::dot(cornerAlpha_, vec3(1.0f - u - v, u, v));
+    if (texture_) alpha *= texture_->at(u, v).w;
+    if ((material_.flags & kMaterialAlphaMask) != 0) return alpha >= material_.alphaCutoff ? 1.0f : 0.0f;
+    return std::clamp(alpha, 0.0f, 1.0f);
+  }
+
+ private:
+  const Material& material_;
+  std::optional<TriangleTexture> texture_;
+  vec3 cornerAlpha_{1.0f};
+};
+
+/// W/(m² sr), the mean over the triangle of what alpha leaves of it.
+vec3 meanRadiance(const Scene& scene, const Triangle& triangle, const Material& material) {
+  const std::optional<TriangleTexture> emission = textureOn(scene, triangle, material.emissiveTexture);
+  const Coverage coverage(scene, triangle, material);
+  if (!emission && coverage.isWhole()) return material.emission;
+  const auto meanOf = [&](int side) {
+    return material.emission * vec3(meanOverTriangle(side, [&](float u, float v) {
+             return (emission ? vec3(emission->at(u, v)) : vec3(1.0f)) * coverage.at(u, v);
+           }));
+  };
+  constexpr int kFiner = 4;  // a light of no power is none: then little must have been missed
+  const int side = std::max(emission ? emission->samplesPerSide() : 1, coverage.samplesPerSide());
+  const vec3 mean = meanOf(side);
+  return mean == vec3(0.0f) && !coverage.isWhole() ? meanOf(kFiner * side) : mean;
 }
 
 Light triangleLight(const Scene& scene, std::size_t index) {

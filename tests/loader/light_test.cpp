@@ -65,6 +65,35 @@ TEST(EmissiveTriangles, EmitTheMeanOfTheirTextureAndNothingWhereItIsBlack) {
   EXPECT_LT(glm::length(scene.lights[0].emission - vec3(1, 2, 3) * 0.502886f), 1e-4f);  // 188 decoded from sRGB
 }
 
+/// One emissive triangle whose right half, by its UVs, is transparent.
+GltfBuilder cutLamp(const char* alphaMode) {
+  GltfBuilder builder = GltfBuilder::emissiveTriangle();
+  const int texture = builder.addTexture(makePng(2, 1, {255, 255, 255, 255, 255, 255, 255, 51}));
+  builder.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = texture;
+  builder.json["materials"][0]["alphaMode"] = alphaMode;
+  builder.primitive()["attributes"]["TEXCOORD_0"] =
+      builder.addAccessor(std::vector<glm::vec2>{{0, 0}, {0.5f, 0}, {1, 0}}, kFloat, "VEC2");
+  return builder;
+}
+
+TEST(EmissiveTriangles, EmitWhatAlphaLeavesOfThem) {
+  const auto emissionOf = [](const char* mode) { return load(cutLamp(mode)).lights.at(0).emission.x; };
+  EXPECT_EQ(emissionOf("OPAQUE"), 1);
+  EXPECT_NEAR(emissionOf("MASK"), 0.5, 0.05);
+  EXPECT_NEAR(emissionOf("BLEND"), 0.5 + 0.5 * 0.2, 0.05);
+}
+
+TEST(EmissiveTriangles, AreNoLightsWhereAlphaLeavesNothing) {
+  GltfBuilder builder = cutLamp("MASK");
+  builder.addMesh({{"attributes", {{"POSITION", 0}}}});
+  builder.json["materials"].push_back(builder.json["materials"][0]);
+  builder.json["materials"][0]["alphaCutoff"] = 1.5;
+  builder.addMesh({{"attributes", {{"POSITION", 0}}}, {"material", 1}});
+  const Scene scene = load(builder);
+  EXPECT_EQ(scene.lights.size(), 1u);
+  EXPECT_EQ(scene.lightOfTriangle.at(0), kNone);
+}
+
 TEST(PunctualLights, PointLightsShineByFourPi) {
   const Scene scene = load(punctual({{"type", "point"}, {"color", {1, 0.5, 0}}, {"intensity", 6}},
                                     {{"translation", {1, 2, 3}}, {"scale", {5, 5, 5}}}));

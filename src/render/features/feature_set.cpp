@@ -54,6 +54,10 @@ bool anyLight(const Scene& scene, bool (*test)(uint kind)) {
   return std::any_of(scene.lights.begin(), scene.lights.end(), [&](const Light& light) { return test(light.kind); });
 }
 
+bool emitsThroughAlpha(const Material& m) {
+  return (m.flags & kMaterialEmissive) != 0 && (m.flags & (kMaterialAlphaMask | kMaterialAlphaBlend)) != 0;
+}
+
 bool absorbs(const Material& m) {
   return (m.flags & kMaterialSolid) != 0 && m.transmission > 0 && glm::any(glm::greaterThan(m.absorption, vec3(0)));
 }
@@ -116,6 +120,9 @@ const std::array kFeatures{
     FeatureEntry{"area lights", &F::hasTriangleLights, kSpecHasTriangleLights, kScene,
                  [](S scene, J) { return anyLight(scene, [](uint kind) { return kind == kLightTriangle; }); },
                  "a triangle emits", "no triangle emits"},
+    FeatureEntry{"cut-out lights", &F::hasCutLights, kSpecHasCutLights, kScene,
+                 [](S scene, J) { return anyMaterial(scene, emitsThroughAlpha); },
+                 "a material that emits is masked or blended", "no material that emits is masked or blended"},
     FeatureEntry{"punctual lights", &F::hasPunctualLights, kSpecHasPunctualLights, kScene,
                  [](S scene, J) {
                    return anyLight(scene,

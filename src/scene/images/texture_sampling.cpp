@@ -41,35 +41,27 @@ vec2 transformUv(const Texture& texture, const vec2& uv) {
   return {glm::dot(texture.uvRow0, vec3(uv, 1.0f)), glm::dot(texture.uvRow1, vec3(uv, 1.0f))};
 }
 
-vec3 nearestTexel(const Texture& texture, std::span<const uint> texels, const vec2& uv) {
+vec4 nearestTexel(const Texture& texture, std::span<const uint> texels, const vec2& uv) {
   const std::size_t x = wrapped(uv.x, texture.width, texture.wrapS);
   const std::size_t y = wrapped(uv.y, texture.height, texture.wrapT);
   const uint texel = texels[texture.firstTexel + y * texture.width + x];
   const bool isSrgb = texture.isSrgb != 0;
-  return {linear(texel & 0xFFu, isSrgb), linear(texel >> 8 & 0xFFu, isSrgb), linear(texel >> 16 & 0xFFu, isSrgb)};
+  return {linear(texel & 0xFFu, isSrgb), linear(texel >> 8 & 0xFFu, isSrgb), linear(texel >> 16 & 0xFFu, isSrgb),
+          linear(texel >> 24, false)};
 }
 
-vec3 meanOverTriangle(const Texture& texture, std::span<const uint> texels, const vec2 (&uv)[3]) {
-  constexpr float kMostPerSide = 64.0f;
-  const vec2 a = transformUv(texture, uv[0]);
-  const vec2 e1 = transformUv(texture, uv[1]) - a;
-  const vec2 e2 = transformUv(texture, uv[2]) - a;
-  const vec2 size(static_cast<float>(texture.width), static_cast<float>(texture.height));
-  const float longest = std::max({glm::length(e1 * size), glm::length(e2 * size), glm::length((e2 - e1) * size)});
-  const int side = std::isfinite(longest) ? static_cast<int>(std::clamp(std::ceil(longest), 1.0f, kMostPerSide)) : 1;
-  // The triangle is cut into side² equal ones, pointing up and down in turn; each gives its centroid.
-  glm::dvec3 sum(0.0);
-  for (int row = 0; row < side; ++row) {
-    for (int column = 0; column < side - row; ++column) {
-      for (int down = 0; down <= (column + 1 < side - row ? 1 : 0); ++down) {
-        const float centroid = down == 0 ? 1.0f / 3.0f : 2.0f / 3.0f;
-        const float u = (static_cast<float>(column) + centroid) / static_cast<float>(side);
-        const float v = (static_cast<float>(row) + centroid) / static_cast<float>(side);
-        sum += glm::dvec3(nearestTexel(texture, texels, a + e1 * u + e2 * v));
-      }
-    }
-  }
-  return vec3(sum / (static_cast<double>(side) * side));
+TriangleTexture::TriangleTexture(const Texture& texture, std::span<const uint> texels, const vec2 (&uv)[3])
+    : texture_(&texture),
+      texels_(texels),
+      a_(transformUv(texture, uv[0])),
+      e1_(transformUv(texture, uv[1]) - a_),
+      e2_(transformUv(texture, uv[2]) - a_) {}
+
+int TriangleTexture::samplesPerSide() const {
+  constexpr float kMost = 64.0f;
+  const vec2 size(static_cast<float>(texture_->width), static_cast<float>(texture_->height));
+  const float longest = std::max({glm::length(e1_ * size), glm::length(e2_ * size), glm::length((e2_ - e1_) * size)});
+  return std::isfinite(longest) ? static_cast<int>(std::clamp(std::ceil(longest), 1.0f, kMost)) : 1;
 }
 
 }  // namespace importon
