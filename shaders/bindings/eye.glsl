@@ -104,15 +104,23 @@ bool keepsOtherLobes(inout PathState path, inout Bsdf b, float cosOut, uint id) 
   return true;
 }
 
-/// From off the surface to off the light.
-Ray shadowRay(Surface s, LightSample l, uint id) {
+/// From off the surface to off the light; `lift` moves the start.
+Ray shadowRay(Surface s, LightSample l, vec3 lift, uint id) {
   Ray ray = nextRay(s, l.direction, id);
+  ray.origin += lift;
   if (l.distance < kInfinity) {
     const vec3 to = l.target - ray.origin;
     ray.tMax = length(to);
     ray.direction = to / ray.tMax;
   }
   return ray;
+}
+
+/// True where smooth normals, not facets, tell what light reaches a surface: as the eye sees it, directly or in mirrors,
+/// and towards a light so low that facets may shadow each other. Elsewhere facets do, as they do for photons.
+bool isSmoothlyLit(PathState path, Surface s, float cosGeometric) {
+  return (path.flags & kPathScattered) == 0u && s.lift != vec3(0.0) &&
+         cosGeometric < 2.0 * distance(s.shadingNormal, s.geometricNormal);
 }
 
 /// A shadow ray towards a light, with what it brings if nothing is in the way. [Veach 1997, ch. 9]
@@ -123,16 +131,18 @@ void sampleDirectLight(uint slot, inout PathState path, Surface s, Bsdf b, mat3 
   const uint light = chooseLight(params.lightCount, s.position, u.x, probability, path.lightWeight);
   if (light == kNone) return;
   const LightSample l = sampleLight(light, probability, s.position, min(u, vec2(0.99999994)));
-  const bool isAcross = dot(l.direction, s.geometricNormal) <= 0.0;
+  const float cosGeometric = dot(l.direction, s.geometricNormal);
   const vec3 wi = l.direction * frame;
-  if (isAcross != (wi.z <= 0.0)) return;
+  const bool isAcross = cosGeometric <= 0.0, isLifted = wi.z > 0.0 && isSmoothlyLit(path, s, cosGeometric);
+  if (isAcross != (wi.z <= 0.0) && !isLifted) return;
   float pdfScatter;
   const vec3 f = evalBsdf(b, -ray.direction * frame, wi, pdfScatter);
-  const float weight = l.pdf > 0.0 ? powerHeuristic(l.pdf, pdfScatter) : 1.0;
+  const bool isFoundByScattering = l.pdf > 0.0 && isAcross == (wi.z <= 0.0);
+  const float weight = isFoundByScattering ? powerHeuristic(l.pdf, pdfScatter) : 1.0;
   const bool isRefracted = kHasTransmission && wi.z < 0.0 && !b.isThin;
   const vec3 light3 = path.throughput * f * l.radiance * (isRefracted ? weight / (b.eta * b.eta) : weight);
   if (maxComponent(light3) <= 0.0) return;
-  shadowRays[slot] = shadowRay(s, l, ray.id);
+  shadowRays[slot] = shadowRay(s, l, isLifted ? s.lift : vec3(0.0), ray.id);
   shadowLight[slot] = light3;
   if ((path.flags & kPathScattered) != 0u) path.flags |= kPathShadowDeep;
   if (atomicAdd(counters[kSumRaysShadow], 1u) == 0xFFFFFFFFu) atomicAdd(counters[kSumRaysShadow + 1u], 1u);

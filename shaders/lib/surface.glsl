@@ -28,6 +28,7 @@ struct Surface {
   float coat;            // KHR_materials_clearcoat
   float coatAlpha;
   vec3 coatNormal;       // as shadingNormal
+  vec3 lift;             // m, from `position` to the surface that smooth normals stand for
   float coatCosOut;      // cosine between the ray, backwards, and coatNormal
   vec3 emission;         // W/(m² sr)
   vec3 absorption;       // 1/m, of the solid behind the surface
@@ -117,6 +118,29 @@ vec3 keepOnRaySide(vec3 shadingNormal, vec3 geometricNormal, vec3 direction) {
   return normalize(mix(shadingNormal, geometricNormal, clamp(t, 0.0, 1.0)));
 }
 
+/// The same for a surface that reflects: turns the normal towards the geometric one as far as it takes for the mirror
+/// direction to leave the surface, too; where it does not, a mirror would be black. In the plane of both normals let the
+/// ray come at an angle a to the geometric normal: the mirror direction of a normal at angle n is at 2 n - a, so the
+/// normal sought halves the angle between the ray and the direction just above the horizon.
+vec3 keepMirrorOutside(vec3 shadingNormal, vec3 geometricNormal, vec3 direction) {
+  const float cosGeometric = -dot(direction, geometricNormal), between = dot(shadingNormal, geometricNormal);
+  const float least = min(0.9 * cosGeometric, 0.01);  // cosine of the mirror direction
+  const float cosShading = -dot(direction, shadingNormal);
+  if (cosShading > 0.0 && 2.0 * cosShading * between - cosGeometric >= least) return shadingNormal;
+  const vec3 across = shadingNormal - between * geometricNormal;
+  if (dot(across, across) < 1e-12) return geometricNormal;
+  const vec3 axis = normalize(across);
+  const vec2 ray = vec2(-dot(direction, axis), cosGeometric);
+  const float size = length(ray), cosLeast = least / size;
+  const vec2 halfway = normalize(ray / size + vec2(sqrt(1.0 - cosLeast * cosLeast), cosLeast));
+  return normalize(halfway.x * axis + halfway.y * geometricNormal);
+}
+
+/// From a point of a triangle to the surface that its smooth normals stand for: where shadow rays start towards lights
+/// near the horizon, so that facets cast no shadows on each other there. 0 on surfaces curved to the other side.
+/// [Hanika 2021, Hacking the Shadow Terminator]
+vec3 liftToSmooth(vec3 point, vec3 vertex, vec3 normal) { return max(-dot(point - vertex, normal), 0.0) * normal; }
+
 /// `normal` turned as a normal map says: `m` in tangent space, 0 without a map.
 vec3 mappedNormal(vec3 m, float scale, vec3 normal, vec4 tangent) {
   if (m == vec3(0.0) || dot(tangent.xyz, tangent.xyz) < 1e-12) return normal;
@@ -139,9 +163,14 @@ Surface loadSurface(uint triangle, vec2 uvWeights, vec3 direction) {
   s.isFront = dot(frontNormal, direction) < 0.0;
   s.geometricNormal = s.isFront ? frontNormal : -frontNormal;
   vec3 normal = frontNormal;
+  s.lift = vec3(0.0);
   if (t0.w != kNone && t1.w != kNone && t2.w != kNone) {
-    const vec3 n = weights.x * unpackNormal(t0.w) + weights.y * unpackNormal(t1.w) + weights.z * unpackNormal(t2.w);
+    const vec3 n0 = unpackNormal(t0.w), n1 = unpackNormal(t1.w), n2 = unpackNormal(t2.w);
+    const vec3 n = weights.x * n0 + weights.y * n1 + weights.z * n2;
     if (dot(n, n) > 1e-12) normal = normalize(n);
+    const float side = s.isFront ? 1.0 : -1.0;
+    s.lift = weights.x * liftToSmooth(s.position, p0, side * n0) + weights.y * liftToSmooth(s.position, p1, side * n1) +
+             weights.z * liftToSmooth(s.position, p2, side * n2);
   }
 
   s.material = indices.w;
@@ -187,9 +216,12 @@ Surface loadSurface(uint triangle, vec2 uvWeights, vec3 direction) {
   }
   s.alpha = roughness * roughness;
   s.coatAlpha = coatRoughness * coatRoughness;
-  s.shadingNormal = keepOnRaySide(s.isFront ? normal : -normal, s.geometricNormal, direction);
+  const vec3 facing = s.isFront ? normal : -normal;
+  const bool isReflector = kHasReflection && (s.metallic > 0.0 || specular > 0.0 || s.transmission > 0.0);
+  s.shadingNormal = isReflector ? keepMirrorOutside(facing, s.geometricNormal, direction)
+                                : keepOnRaySide(facing, s.geometricNormal, direction);
   if (kHasClearcoat) {
-    s.coatNormal = keepOnRaySide(s.isFront ? coatNormal : -coatNormal, s.geometricNormal, direction);
+    s.coatNormal = keepMirrorOutside(s.isFront ? coatNormal : -coatNormal, s.geometricNormal, direction);
     s.coatCosOut = -dot(s.coatNormal, direction);
   }
   s.canEmit = (s.flags & kMaterialEmissive) != 0u && (s.isFront || (s.flags & kMaterialDoubleSided) != 0u);

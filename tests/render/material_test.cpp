@@ -146,5 +146,41 @@ TEST_F(Materials, ShadingNormalsGainNoEnergy) {
   listed.note("none", 1);
 }
 
+/// A white mirror shows a uniform environment as it is, also where its normals would mirror rays into its facets.
+TEST_F(Materials, CoarseMirrorsHaveNoBlackRims) {
+  const StabilityCase listed(44, "shading normals far off", "no black rims on mirrors");
+  for (const int rings : {4, 6}) {
+    SceneBuilder builder;
+    builder.uvSphere(builder.material(mirror()), {0, 0, 0}, 1, rings, 2 * rings, Facing::outside, Shading::smooth);
+    builder.environment(vec3(1.0f));
+    builder.camera({0, 0.5, 3}, {0, 0, 0}, 0.8, 4 * kSize, 4 * kSize);
+    for (const Integrator integrator : {Integrator::path, Integrator::photon})
+      EXPECT_TRUE(isConstant(renderScene(jobOf(16, integrator), builder.finish()).image, 1, 1e-4));
+  }
+}
+
+/// A smooth sphere of few facets in the sun, from the side: every pixel is as bright as its own normals say.
+TEST_F(Materials, TheTerminatorOfSmoothNormalsShowsNoFacets) {
+  const StabilityCase listed(44, "shading normals far off", "a soft terminator");
+  SceneBuilder builder;
+  builder.uvSphere(builder.material(diffuse(vec3(0.8f))), {0, 0, 0}, 1, 6, 12, Facing::outside, Shading::smooth);
+  const glm::dvec3 towards = glm::normalize(glm::dvec3(1, 0.2, 0.3));
+  builder.directionalLight(-towards, vec3(glm::pi<float>()));
+  builder.camera({0, 0.5, 3}, {0, 0, 0}, 0.5, 4 * kSize, 4 * kSize);
+  const glm::dvec3 towardsCamera = glm::normalize(glm::dvec3(0, 0.5, 3));
+  for (const Integrator integrator : {Integrator::path, Integrator::photon}) {
+    RenderJob job = jobOf(16, integrator);
+    job.aovs = {"N"};
+    const Image image = renderScene(job, builder.finish()).image;
+    const std::vector<float> nx = valuesOf(image, "N.X"), ny = valuesOf(image, "N.Y"), nz = valuesOf(image, "N.Z");
+    const std::vector<float> values = valuesOf(image);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const glm::dvec3 normal(nx[i], ny[i], nz[i]);
+      if (glm::dot(normal, towardsCamera) < 0.5) continue;  // beside the sphere, or near its outline
+      EXPECT_NEAR(values[i], 0.8 * std::max(glm::dot(normal, towards), 0.0), 0.03) << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace importon::test::material_test
