@@ -194,7 +194,7 @@ bool scatterEye(uint slot, inout PathState path, Surface s, Bsdf b, mat3 frame, 
     path.distance = 0.0;
   }
   path.flags += 1u;
-  updateMedium(path, s, sampled.isTransmission);
+  if (updateMedia(path, s, sampled.isTransmission)) atomicAdd(counters[kCounterMediaForgotten], 1u);
   return (path.flags & kPathDepthMask) <= params.maxDepth && maxComponent(path.throughput) > 0.0;
 }
 

@@ -2,20 +2,29 @@
 #ifndef IMPORTON_LIB_PATH_GLSL
 #define IMPORTON_LIB_PATH_GLSL
 #include "lib/bsdf.glsl"
+#include "lib/media.glsl"
 #include "lib/path_pairs.glsl"
 
-/// Beer's law over a segment of length t in the path's medium. A path that does not know its medium (it started
+/// A material whose solids are of a medium.
+uint materialOfMedium(uint medium) { return materialTexel(kMaterialTexels * (medium - 1u) + 8u).w; }
+
+/// Beer's law over a segment of length t in the innermost of the path's media. A path that knows none (it started
 /// inside a solid) learns it from the back face that it meets.
-vec3 mediumTransmittance(uint medium, Surface s, float t) {
-  if (medium != kNone) return exp(-uintBitsToFloat(materialTexel(kMaterialTexels * medium + 3u)).rgb * t);
+vec3 mediumTransmittance(uvec2 media, Surface s, float t) {
+  const uint medium = innermostMedium(media);
+  if (medium != 0u)
+    return exp(-uintBitsToFloat(materialTexel(kMaterialTexels * materialOfMedium(medium) + 3u)).rgb * t);
   return !s.isFront && (s.flags & kMaterialSolid) != 0u && s.transmission > 0.0 ? exp(-s.absorption * t) : vec3(1.0);
 }
 
 bool isSolidInterface(Surface s) { return (s.flags & kMaterialSolid) != 0u && s.transmission > 0.0; }
 
-/// Index of refraction of the inside of a material's solid; kNone: air.
+/// Number of the medium behind the surface of a solid.
+uint mediumBehind(Surface s) { return materialTexel(kMaterialTexels * s.material + 8u).z; }
+
+/// Index of refraction of a medium; 0: air.
 float mediumIndex(uint medium) {
-  return medium == kNone ? 1.0 : uintBitsToFloat(materialTexel(kMaterialTexels * medium + 4u).x);
+  return medium == 0u ? 1.0 : uintBitsToFloat(materialTexel(kMaterialTexels * materialOfMedium(medium) + 4u).x);
 }
 
 // Nested dielectrics: where solids overlap, the one that the path entered last is there. So a liquid that reaches a
@@ -24,27 +33,18 @@ float mediumIndex(uint medium) {
 /// Makes a solid's index relative to what is outside it. The surface of a solid that is not there does nothing.
 void relateIndex(inout Surface s, PathState path) {
   if (!kHasTransmission || !isSolidInterface(s)) return;
-  if (s.isFront) {
-    s.ior /= mediumIndex(path.medium);
-  } else if (path.medium == s.material) {
-    s.ior /= mediumIndex(path.outerMedium);
-  } else if (path.medium != kNone) {
-    s.ior = 1.0;
-  }
+  const uint here = innermostMedium(path.media);
+  if (s.isFront) s.ior /= mediumIndex(here);
+  else if (here == mediumBehind(s)) s.ior /= mediumIndex(mediumAround(path.media));
+  else if (here != 0u) s.ior = 1.0;
 }
 
-/// The path's media after an event at s.
-void updateMedium(inout PathState path, Surface s, bool isTransmission) {
-  if (!isTransmission || !isSolidInterface(s)) return;
-  if (s.isFront) {
-    path.outerMedium = path.medium;
-    path.medium = s.material;
-  } else if (path.medium == s.material || path.medium == kNone) {
-    path.medium = path.outerMedium;
-    path.outerMedium = kNone;
-  } else if (path.outerMedium == s.material) {
-    path.outerMedium = kNone;
-  }
+/// The path's media after an event at s. True: it is in more solids than it can know.
+bool updateMedia(inout PathState path, Surface s, bool isTransmission) {
+  if (!isTransmission || !isSolidInterface(s)) return false;
+  const bool forgets = s.isFront && isInTooMany(path.media);
+  path.media = s.isFront ? enterMedium(path.media, mediumBehind(s)) : leaveMedium(path.media, mediumBehind(s));
+  return forgets;
 }
 
 /// Start of the next ray: off the surface by its error bound, on the side of `direction`.

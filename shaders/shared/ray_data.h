@@ -27,6 +27,9 @@ SHARED_CONST uint kCounterTraceLeft = 61u;        // invocations that are done; 
 SHARED_CONST uint kCounterTraceUnfinished = 62u;  // rays given up so far because the device ends long loops
 // And kernels/lookups/map_nearest.comp.
 SHARED_CONST uint kCounterLookupsUnfinished = 63u;  // lookups that the device ended
+// Solids that were left out of account since a path was in too many at once: lib/media.glsl.
+SHARED_CONST uint kCounterMediaForgotten = 59u;
+SHARED_CONST uint kMostMediaAtOnce = 8u;
 
 SHARED_END
 #endif

@@ -47,7 +47,6 @@ struct Parameters {
   uvec2 firstSample;         // of the pass, of each pixel, counted over all passes; low word in x
   float densityScale;        // growth of D_r over passes
   float largestQuotaRadius;  // m
-  uint cameraMedium;         // material of the solid that the camera is in, kNone: none
   float importonFlux;        // pixels that each importon starts with
   float irradianceUnits;     // of fixed-point flux per W in the irradiance map
   float photonUnits;         // per such unit: flux of an average photon is 4 of them
@@ -68,8 +67,7 @@ struct PathState {
   vec3 throughput;      // eye: weight against the first diffuse vertex; photon: flux in W; importon: pixels
   uint flags;           // see below
   uint id;              // eye: pixel; photon: index within the pass; importon: index
-  uint medium;          // material index of the medium that the ray is in, kNone: none
-  uint outerMedium;     // the one around it: lib/path.glsl
+  uvec2 media;          // of the solids that the ray is in: lib/media.glsl
   float pdfSolidAngle;  // of the sampled direction, 1/sr; 0 after a specular event
   float lightWeight;    // sum of the light weights at the last vertex, for MIS
   uint source;          // photon: its light; eye: which of its pixel's paths in this pass
@@ -190,6 +188,8 @@ SHARED_CONST uint kRecordRankShift = 3u;  // above: a rank by path, then bounce,
 
 /// Fixed-point units of what a guide learns.
 SHARED_CONST float kGuideUnits = 1024.0f;
+SHARED_CONST float kMomentUnits = 17592186044416.0f;  // 2^44: of the moments that an emission guide learns
+SHARED_CONST float kLargestMoment = 256.0f;           // that one photon may bring
 
 /// Cells of a guide for scattering: voxels of the scene's box, six to a voxel, by where the surface faces. Each has
 /// kScatterBins x kScatterBins bins of directions.

@@ -62,10 +62,12 @@ struct Material {
   uint clearcoatRoughnessTexture;  // g
   uint clearcoatNormalTexture;
   float clearcoatNormalScale;
-  uint unused0;  // up to whole texels of 16 bytes
-  uint unused1;
+  uint medium;            // of a solid: 1 .. kMostMedia, the same for equal index and absorption; else 0; device only
+  uint materialOfMedium;  // in the m-th material: one whose solids are of the medium m + 1; device only
 };
 SHARED_CONST uint kMaterialTexels = 9u;
+
+SHARED_CONST uint kMostMedia = 255u;
 
 // Texture::wrapS, wrapT
 SHARED_CONST uint kWrapRepeat = 0u;

@@ -27,6 +27,10 @@ void warnOfUnfinished(std::span<const uint> counters, Log& log) {
   if (counters[kCounterLookupsUnfinished] > 0)
     log.warn("lookups given up", fmt::format("{} lookups of the nearest photons were too long for this device",
                                              counters[kCounterLookupsUnfinished]));
+  if (counters[kCounterMediaForgotten] > 0)
+    log.warn("solids in solids", fmt::format("{} times a path was in more than {} solids at once; the outermost was "
+                                             "left out of account",
+                                             counters[kCounterMediaForgotten], kMostMediaAtOnce));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // Smooth surfaces in closed form: sheets, slabs, prisms and mirrors.
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -57,7 +58,7 @@ TEST_P(Smooth, SolidSlabAbsorbsByItsThickness) {
 
 /// Share of light that passes a row of interfaces with these relative indices at normal incidence, all inner
 /// reflections counted: what they turn back, (1 - T) / T, adds up.
-double rowTransmittance(std::initializer_list<double> relativeIndices) {
+double rowTransmittance(const std::vector<double>& relativeIndices) {
   double turnedBack = 0;
   for (const double n : relativeIndices) {
     const double reflectance = (n - 1) * (n - 1) / ((n + 1) * (n + 1));
@@ -86,6 +87,43 @@ TEST_P(Smooth, SolidsBehindEachOtherInASolidRefractAlike) {
     builder.box(builder.material(glass(2.25f)), {-1, -1, z}, {1, 1, z + 0.3}, Facing::outside);
   EXPECT_TRUE(isWithin(0.02, momentsOf(valuesOf(renderImage(builder.finish(), 256))),
                        rowTransmittance({1.5, 1.5, 1.5, 1.5, 1.5, 1.5})));
+}
+
+/// Box in box in box, each of its own index, looked through along all their axes.
+SceneBuilder nestedBoxes(std::initializer_list<double> indices) {
+  SceneBuilder builder = brightWall();
+  double size = 2;
+  for (const double index : indices) {
+    const glm::dvec3 half(size, size, 0.4 * size);
+    builder.box(builder.material(glass(static_cast<float>(index))), -half, half, Facing::outside);
+    size *= 0.8;
+  }
+  return builder;
+}
+
+TEST_P(Smooth, EachOfManyNestedSolidsKnowsWhatIsAroundIt) {
+  for (const auto& indices : {std::initializer_list<double>{1.5, 1.33, 1.31},
+                              std::initializer_list<double>{1.3, 1.2, 1.3, 1.2, 1.3, 1.2, 1.3, 1.2}}) {
+    std::vector<double> relative;
+    double around = 1;
+    for (const double index : indices) {
+      relative.push_back(index / around);
+      relative.push_back(index / around);  // and out again
+      around = index;
+    }
+    EXPECT_TRUE(isWithin(0.02, momentsOf(valuesOf(renderImage(nestedBoxes(indices).finish(), 256))),
+                         rowTransmittance(relative)));
+  }
+}
+
+TEST_P(Smooth, SolidsInMoreSolidsThanAPathCanKnowAreSaid) {
+  RenderJob job = makeJob(GetParam(), 1);
+  const auto isSaid = [&](std::initializer_list<double> indices) {
+    const std::vector<Warning> warnings = renderScene(job, nestedBoxes(indices).finish()).warnings;
+    return std::ranges::any_of(warnings, [](const Warning& w) { return w.kind == "solids in solids"; });
+  };
+  EXPECT_FALSE(isSaid({1.1, 1.2, 1.1, 1.2, 1.1, 1.2, 1.1, 1.2}));
+  EXPECT_TRUE(isSaid({1.1, 1.2, 1.1, 1.2, 1.1, 1.2, 1.1, 1.2, 1.1}));
 }
 
 TEST_P(Smooth, OverlappingSolidsMeetInOneInterface) {

@@ -46,8 +46,7 @@ void main() {
   path.throughput = vec3(isImporton ? size.x * size.y / float(push.total) : 1.0);
   path.flags = 0u;
   path.id = id;
-  path.medium = params.cameraMedium;
-  path.outerMedium = kNone;
+  path.media = uvec2(0u);
   path.pdfSolidAngle = 0.0;
   path.lightWeight = 0.0;
   path.source = sampleOfPixel;

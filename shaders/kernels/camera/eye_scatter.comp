@@ -35,7 +35,7 @@ void main() {
 
   Surface s = loadSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction);
   relateIndex(s, path);
-  if (kHasMedia) path.throughput *= mediumTransmittance(path.medium, s, hit.t);
+  if (kHasMedia) path.throughput *= mediumTransmittance(path.media, s, hit.t);
   path.distance += hit.t;
   if (kEyeMode != kEyeImportons) addEmission(slot, path, ray, hit, s);
   if ((s.flags & kMaterialUnlit) != 0u) return;

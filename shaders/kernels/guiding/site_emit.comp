@@ -38,7 +38,8 @@ void main() {
   path.throughput = vec3(flux);
   path.flags = 0u;
   path.id = item;
-  path.medium = path.outerMedium = path.source = kNone;
+  path.media = uvec2(0u);
+  path.source = kNone;
   path.pdfSolidAngle = path.lightWeight = path.distance = 0.0;
   rays[slot] =
       Ray(uintBitsToFloat(point.xyz) + normal * (kOffset * params.gridExtent), kInfinity, direction, hash(index));

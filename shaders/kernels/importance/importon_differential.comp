@@ -52,7 +52,7 @@ void main() {
 
   Surface s = loadSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction);
   relateIndex(s, path);
-  if (kHasMedia) d.share *= mean(mediumTransmittance(path.medium, s, hit.t));
+  if (kHasMedia) d.share *= mean(mediumTransmittance(path.media, s, hit.t));
   transferDifferential(d, hit.t, ray.direction, s.geometricNormal);
   const float least = kLeastStep * params.gridExtent;
   const float asked = d.share / max(footprintArea(d), least * least);

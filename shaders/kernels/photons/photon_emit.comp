@@ -56,8 +56,7 @@ void main() {
   path.throughput = e.flux / (density * float(map.photonsPerPass));
   path.flags = 0u;
   path.id = photon;
-  path.medium = kNone;
-  path.outerMedium = kNone;
+  path.media = uvec2(0u);
   path.pdfSolidAngle = 0.0;
   path.lightWeight = 0.0;
   path.source = light;

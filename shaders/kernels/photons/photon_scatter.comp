@@ -65,7 +65,7 @@ bool scatter(Surface s, Bsdf b, mat3 frame, vec3 direction, inout PathState path
   if (kPhotonKind == kPhotonsCaustic && !isSpecular) return false;
   path.throughput *= weight / survival;
   if (kScatterIsGuided) path.throughput *= scale;
-  updateMedium(path, s, next.isTransmission);
+  if (updateMedia(path, s, next.isTransmission)) atomicAdd(counters[kCounterMediaForgotten], 1u);
   path.flags = (path.flags + 1u) | (isSpecular ? kPathSpecular : kPathScattered);
   if (!isSpecular) path.flags &= ~kPathSpecular;
   return (path.flags & kPathDepthMask) <= params.maxDepth;
@@ -86,7 +86,7 @@ void main() {
   Surface s = loadSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction);
   relateIndex(s, path);
   if ((s.flags & kMaterialUnlit) != 0u) return;
-  if (kHasMedia) path.throughput *= mediumTransmittance(path.medium, s, hit.t);
+  if (kHasMedia) path.throughput *= mediumTransmittance(path.media, s, hit.t);
   const mat3 frame = kScatterIsGuided ? scatterFrame(s.shadingNormal) : frameAround(s.shadingNormal);
   const float cosIn = dot(-ray.direction, s.shadingNormal);
   Bsdf b = makeBsdf(s, cosIn);

@@ -7,6 +7,7 @@
 
 #include "render/device_scene/albedo_table.h"
 #include "render/device_scene/light_tree.h"
+#include "render/device_scene/media.h"
 #include "render/plan/pass_plan.h"
 #include "scene/environment.h"
 
@@ -161,7 +162,7 @@ DeviceScene uploadScene(gpu::Context& context, const Scene& scene, const Bvh& bv
   d.bvh = buffer(context, "BVH", bvh.nodes, TexelFormat::uint4);
   d.vertices = buffer(context, "vertices", packVertices(scene), TexelFormat::uint4);
   d.triangles = buffer(context, "triangles", scene.triangles, TexelFormat::uint4);
-  d.materials = buffer(context, "materials", scene.materials, TexelFormat::uint4);
+  d.materials = buffer(context, "materials", withMedia(scene.materials), TexelFormat::uint4);
   d.textures = buffer(context, "textures", packTextures(scene), TexelFormat::uint4);
   d.images = buffer(context, "texels", scene.texels, TexelFormat::uint1);
   d.lights = buffer(context, "lights", packLights(scene), TexelFormat::uint4);

@@ -53,7 +53,6 @@ void setCamera(Parameters& p, const Camera& camera, const Scene& scene) {
   p.cameraForward = vec3(-axes[2]);
   p.cameraRight = vec3(axes[0] * halfWidth);
   p.cameraUp = vec3(axes[1] * halfHeight);
-  p.cameraMedium = kNone;
 }
 
 }  // namespace importon
