@@ -5,9 +5,10 @@
 #include "bindings/guide.glsl"
 #include "bindings/site_demand.glsl"
 #include "bindings/selection.glsl"
+#include "lib/flux.glsl"
 #include "lib/photon_stream.glsl"
 
-layout(scalar) buffer GuideSumsBlock { uint sums[]; };
+layout(scalar) buffer GuideSumsBlock { uint sums[]; };  // two words a cell, the low one first
 layout(push_constant, scalar) uniform Push {
   uint isGlobal;
   uint stream;
@@ -16,6 +17,14 @@ layout(push_constant, scalar) uniform Push {
   float hitsPerPass;     // for each hit that was counted at a site; 0: deficits do not matter
   uint isPotential;      // places count in proportion to their importance
 } push;
+
+/// Of 64 bits, since the light that counts may be a millionth of the power of all.
+void addMoment(uint cell, float moment) {
+  const uvec2 units = fixedFromFloat(min(moment, kLargestMoment) * kMomentUnits);
+  const uint before = atomicAdd(sums[2u * cell], units.x);
+  const uint high = units.y + (before + units.x < before ? 1u : 0u);
+  if (high != 0u) atomicAdd(sums[2u * cell + 1u], high);
+}
 
 void main() {
   const uint i = invocationIndex();
@@ -34,5 +43,5 @@ void main() {
   if (push.hitsPerPass > 0.0 && site != kNone) share *= deficitAt(map, site, push.hitsPerPass);
   const uint first =
       (photon & 1u) * params.lightCount * push.bins * push.bins;  // photons of each half check the other's
-  atomicAdd(sums[first + p.cell], uint(min(share * flux * flux / p.density, 256.0) * kGuideUnits));
+  addMoment(first + p.cell, share * flux * flux / p.density);
 }

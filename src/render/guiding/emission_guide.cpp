@@ -47,10 +47,8 @@ EmissionGuide::EmissionGuide(gpu::Context& context, const Scene& scene, MapKind 
   rows_ = gpu::Buffer(context, "guide rows", (rows + 1) * sizeof(float), gpu::TexelFormat::float1);
   columns_ = gpu::Buffer(context, "guide columns", rows * (bins_ + 1) * sizeof(float), gpu::TexelFormat::float1);
   const std::uint64_t cells = rows * bins_;
-  sums_ = gpu::makeBuffer(context, "guide sums", std::span<const uint>(std::vector<uint>(2 * cells)));
-  upload(
-      chooseGuidePmf(std::vector<double>(cells), std::vector<double>(cells), powers_, static_cast<int>(bins_), weight_)
-          .cells);
+  sums_ = gpu::makeBuffer(context, "guide sums", std::span<const uint>(std::vector<uint>(4 * cells)));
+  upload(startingPmf(powers_, std::size_t{bins_} * bins_));
 }
 
 void EmissionGuide::followDeficits(const Stage& stage, const ImportanceMap& importance, const Parameters& parameters,
@@ -74,9 +72,13 @@ void EmissionGuide::train(const Stage& stage, const ImportanceMap& importance, f
 
 void EmissionGuide::update() {
   const std::size_t cells = powers_.size() * bins_ * bins_;
-  const auto even = sums_.download<uint>(cells), odd = sums_.download<uint>(cells, cells * sizeof(uint));
-  const GuidePmf shares =
-      chooseGuidePmf({even.begin(), even.end()}, {odd.begin(), odd.end()}, powers_, static_cast<int>(bins_), weight_);
+  const auto momentsAt = [&](std::size_t first) {
+    std::vector<double> moments;
+    for (const std::uint64_t units : sums_.download<std::uint64_t>(cells, first * sizeof(std::uint64_t)))
+      moments.push_back(static_cast<double>(units) / kMomentUnits);
+    return moments;
+  };
+  const GuidePmf shares = chooseGuidePmf(momentsAt(0), momentsAt(cells), powers_, static_cast<int>(bins_), weight_);
   upload(shares.cells);
   gain_ = shares.gain;
   ++stream_;

@@ -17,7 +17,7 @@ struct GuideBuffers {
 
 class EmissionGuide {
  public:
-  /// With up to `bins` x `bins` cells per light; fewer for many lights. It starts with shares by power.
+  /// With up to `bins` x `bins` cells per light; fewer for many lights. It starts with startingPmf.
   EmissionGuide(gpu::Context& context, const Scene& scene, MapKind kind, int bins, GuideWeight weight);
 
   /// From now on a hit counts by what such hits leave missing of the required density, as counted from the selected

@@ -45,6 +45,13 @@ std::vector<double> smoothBins(const std::vector<double>& moments, std::size_t g
   return out;
 }
 
+std::vector<double> startingPmf(const std::vector<double>& powers, std::size_t cellsPerLight) {
+  std::vector<double> cells;
+  const auto perLight = static_cast<double>(cellsPerLight), lights = static_cast<double>(powers.size());
+  for (const double power : powers) cells.insert(cells.end(), cellsPerLight, 0.5 * (power + 1.0 / lights) / perLight);
+  return cells;
+}
+
 std::vector<double> guidePmf(const std::vector<double>& moments, const std::vector<double>& powers, int bins,
                              GuideWeight guideWeight, double defensiveWeight) {
   const std::size_t perLight = moments.size() / powers.size();
