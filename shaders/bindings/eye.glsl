@@ -31,6 +31,14 @@ bool isLeftToMaps(PathState path) {
 /// True for a rough surface that the maps take for a specular one. The path tracer has no maps.
 bool isSpecularForMaps(Bsdf b) { return kEyeMode != kEyePath && isFrosted(b); }
 
+/// True if the camera itself looks at what stands for the environment behind the scene.
+bool seesBackground(PathState path) { return kHasBackground && (path.flags & kPathDepthMask) == 0u; }
+
+void addBackground(uint slot, PathState path) {
+  pathLight[slot].emitted += path.throughput * params.background;
+  pathLight[slot].gathers = kSawBackground;
+}
+
 void addEnvironment(uint slot, PathState path, Ray ray) {
   if (isLeftToMaps(path) || params.environmentLight == kNone) return;
   float weight = 1.0;

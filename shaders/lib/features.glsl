@@ -14,6 +14,7 @@ layout(constant_id = kSpecHasTriangleLights) const bool kHasTriangleLights = tru
 layout(constant_id = kSpecHasCutLights) const bool kHasCutLights = true;
 layout(constant_id = kSpecHasPunctualLights) const bool kHasPunctualLights = true;
 layout(constant_id = kSpecHasEnvironment) const bool kHasEnvironment = true;
+layout(constant_id = kSpecHasBackground) const bool kHasBackground = false;
 layout(constant_id = kSpecEyeMode) const uint kEyeMode = kEyeImage;
 layout(constant_id = kSpecHasCausticMap) const bool kHasCausticMap = true;
 layout(constant_id = kSpecHasGlobalMap) const bool kHasGlobalMap = true;

@@ -29,6 +29,7 @@ SHARED_CONST uint kSpecHasGlobalMap = 14u;
 SHARED_CONST uint kSpecReadsCells = 30u;         // gather rays read an irradiance map instead of photons
 SHARED_CONST uint kSpecDispatchWorkgroup = 19u;  // workgroup size of the kernels dispatched indirectly
 SHARED_CONST uint kSpecPixelFilter = 16u;        // kFilter*
+SHARED_CONST uint kSpecHasBackground = 21u;      // the camera sees params.background where it sees no surface
 SHARED_CONST uint kSpecIsGuided = 17u;           // emission follows a guide
 SHARED_CONST uint kSpecPhotonKind = 18u;         // kPhotonsGlobal, kPhotonsCaustic
 SHARED_CONST uint kSpecImportanceBound = 20u;    // kBound*

@@ -51,6 +51,7 @@ struct Parameters {
   float irradianceUnits;     // of fixed-point flux per W in the irradiance map
   float photonUnits;         // per such unit: flux of an average photon is 4 of them
   float irradianceScale;     // W per photonUnit, for one pass
+  vec3 background;           // W/(m² sr), seen where the camera sees no surface, if not the environment
   MapSettings causticMap;
   MapSettings globalMap;
 };
@@ -127,8 +128,9 @@ struct PathLight {
   vec3 normal;          // shading normal there
   vec3 sharedPosition;  // of that vertex, or of the glass that the camera sees before it
   vec3 sharedNormal;    // geometric normal there
-  uint gathers;         // 1 if there was one
+  uint gathers;         // 1 if there was one; kSawBackground if the camera saw no surface
 };
+SHARED_CONST uint kSawBackground = 2u;
 
 /// Sums over the passes of one half (odd or even passes), W/(m² sr).
 struct FilmPixel {
@@ -144,6 +146,7 @@ struct FilmPixel {
   float gathers;        // how many there were
   vec3 square;          // of the whole radiance of a path
   float foundSquare;    // of the mean over channels of emitted, direct and caustic radiance
+  float uncovered;      // how many paths saw the background (features.h), which is not the environment
 };
 
 /// Where a path asks for a map lookup.

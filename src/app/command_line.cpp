@@ -69,11 +69,8 @@ void Parser::addInfo() {
       ->required()
       ->check(notEmpty())
       ->type_name("");
-  infoApp->add_option("--environment", info.job.environment, "lat-long environment map (default: the scene's)")
-      ->check(notEmpty())
-      ->type_name("F.exr");
   infoApp->add_flag("--json", info.isJson, "as JSON");
-  addOutsideFilesFlag(*infoApp, info.job);
+  addSceneOptions(*infoApp, info.job);
 }
 
 void Parser::addCompare() {

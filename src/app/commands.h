@@ -5,14 +5,8 @@
 
 #include "app/command_line.h"
 #include "base/error.h"
-#include "scene/container/uri.h"
 
 namespace importon {
-
-/// What --allow-outside-files says.
-[[nodiscard]] inline OutsideFiles outsideFiles(const RenderJob& job) {
-  return job.allowsOutsideFiles ? OutsideFiles::allowed : OutsideFiles::refused;
-}
 
 /// Loads, renders and writes. `start` is when the process started. Every output is checked before anything is
 /// loaded. Throws SceneError, DeviceError and OutputError.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/commands.h"
+#include "app/load_scene.h"
 #include "app/output_folder.h"
 #include "fmt/format.h"
 #include "io/image.h"
@@ -10,7 +11,6 @@
 #include "io/output_file.h"
 #include "report/converge_files.h"
 #include "report/merge.h"
-#include "scene/gltf_loader.h"
 
 namespace importon {
 namespace {
@@ -38,7 +38,7 @@ ExitStatus runConverge(const ConvergeCommand& command, const std::atomic<bool>& 
   Log log(command.verbosity);
   const Image reference = takeColor(readExr(command.reference), "", command.reference.string());
   const Clock::time_point loadStart = Clock::now();
-  const Scene scene = loadGltf(command.scene, log, std::nullopt, outsideFiles(command.configs.front().job));
+  const Scene scene = loadScene(command.configs.front().job, log);
   ConvergePlan plan{{}, command.times, command.seeds, 0};
   plan.loadSeconds = std::chrono::duration<double>(Clock::now() - loadStart).count();
   for (const NamedJob& config : command.configs) plan.configs.push_back({config.name, config.options, config.job});

@@ -10,7 +10,7 @@ namespace importon {
 
 std::optional<EnvironmentMap> readEnvironmentFile(const std::filesystem::path& file) {
   if (file.empty()) return std::nullopt;
-  const Image image = readExr(file);
+  const Image image = isHdr(file) ? readHdr(file) : readExr(file);
   std::array<const Channel*, 3> channels{image.find("R"), image.find("G"), image.find("B")};
   if (const Channel* grey = image.find("Y"); grey != nullptr && channels[0] == nullptr) channels.fill(grey);
   EnvironmentMap map{image.width, image.height,

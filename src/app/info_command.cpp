@@ -1,7 +1,7 @@
 #include <cstdio>
 
 #include "app/commands.h"
-#include "app/environment_file.h"
+#include "app/load_scene.h"
 #include "app/scene_summary.h"
 #include "render/features/feature_set.h"
 #include "scene/gltf_loader.h"
@@ -10,8 +10,7 @@ namespace importon {
 
 ExitStatus runInfo(const InfoCommand& command) {
   Log log;
-  const Scene scene =
-      loadGltf(command.job.scene, log, readEnvironmentFile(command.job.environment), outsideFiles(command.job));
+  const Scene scene = loadGltf(command.job.scene, log, loadOptions(command.job));
   const std::vector<FeatureRow> features = describeFeatures(scene, command.job);
   std::fputs((command.isJson ? summaryJson(scene, features) : summaryText(scene, features)).c_str(), stdout);
   return ExitStatus::ok;

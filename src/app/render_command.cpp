@@ -1,7 +1,7 @@
 #include <sys/resource.h>
 
 #include "app/commands.h"
-#include "app/environment_file.h"
+#include "app/load_scene.h"
 #include "app/progress.h"
 #include "app/reference_errors.h"
 #include "app/stats_file.h"
@@ -13,7 +13,6 @@
 #include "render/options/gather_source.h"
 #include "render/render.h"
 #include "render/resume/job_fingerprint.h"
-#include "scene/gltf_loader.h"
 
 namespace importon {
 namespace {
@@ -75,9 +74,8 @@ ExitStatus runRender(const RenderCommand& command, const std::atomic<bool>& isIn
   tellGatherSource(job, log);
 
   const Clock::time_point loadStart = Clock::now();
-  const Scene scene = loadGltf(job.scene, log, readEnvironmentFile(job.environment), outsideFiles(job));
+  const Scene scene = loadScene(job, log);
   const double loadSeconds = secondsSince(loadStart);
-  if (!scene.hasCameraInFile) log.note("the scene has no camera: it is seen from one that frames it");
 
   ReferenceErrors errors(job, scene);
   const auto afterPass = [&](const RenderProgress& progress) {

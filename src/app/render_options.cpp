@@ -113,7 +113,10 @@ bool isEveryday(const CLI::Option& option) {
 
 }  // namespace
 
-void addOutsideFilesFlag(CLI::App& app, RenderJob& job) { addRow(app, rowOf("--allow-outside-files"), job, "Options"); }
+void addSceneOptions(CLI::App& app, RenderJob& job) {
+  for (const char* name : {"--light", "--environment", "--allow-outside-files"})
+    addRow(app, rowOf(name), job, "Options");
+}
 
 void addRenderOptions(CLI::App& app, RenderCommand& command) {
   app.add_option("SCENE", command.job.scene, "the scene, .gltf or .glb")->required()->check(notEmpty())->type_name("");

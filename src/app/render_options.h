@@ -8,8 +8,8 @@ namespace importon {
 /// Declares the options on `app`; parsing writes to `command`, which must outlive `app`.
 void addRenderOptions(CLI::App& app, RenderCommand& command);
 
-/// Declares --allow-outside-files.
-void addOutsideFilesFlag(CLI::App& app, RenderJob& job);
+/// Declares what loading a scene depends on.
+void addSceneOptions(CLI::App& app, RenderJob& job);
 
 /// After parsing: applies --talk, and checks what no single option can: outputs that name the same file or the scene,
 /// options that contradict each other. Throws UsageError.

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fmt/format.h"
+#include "scene/studio.h"
 
 namespace importon {
 namespace {
@@ -72,6 +73,7 @@ std::string summaryText(const Scene& scene, std::span<const FeatureRow> features
     const std::size_t count = countLights(scene, light.kind);
     if (count > 0) text += fmt::format(", {} {}", count, light.name);
   }
+  if (scene.isInStudio) text += ": the studio, instead of an environment of the scene";
   text += "\n";
   for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
     text += fmt::format("camera {}   {}{}\n", i, cameraText(scene.cameras[i]),
@@ -92,6 +94,7 @@ std::string summaryJson(const Scene& scene, std::span<const FeatureRow> features
             {"bounds", {{"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}}}};
   root["lights"] = Json{{"total", scene.lights.size()}};
   for (const LightKind& light : kLightKinds) root["lights"][light.name] = countLights(scene, light.kind);
+  root["light"] = lightName(scene);
   root["cameras"] = Json::array();
   for (const Camera& camera : scene.cameras) root["cameras"].push_back(cameraJson(camera));
   root["has_camera_in_file"] = scene.hasCameraInFile;

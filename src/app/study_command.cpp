@@ -1,11 +1,11 @@
 #include <array>
 
 #include "app/commands.h"
+#include "app/load_scene.h"
 #include "app/output_folder.h"
 #include "fmt/format.h"
 #include "io/output_file.h"
 #include "report/study_files.h"
-#include "scene/gltf_loader.h"
 
 namespace importon {
 
@@ -13,7 +13,7 @@ ExitStatus runStudy(const StudyCommand& command, const std::atomic<bool>& isInte
   constexpr std::array kFiles{"study.json", "index.html"};
   makeFolder(command.folder, kFiles);
   Log log(command.verbosity);
-  const Scene scene = loadGltf(command.scene, log, std::nullopt, outsideFiles(command.configs.front().job));
+  const Scene scene = loadScene(command.configs.front().job, log);
   std::vector<StudyConfig> configs;
   for (const NamedJob& config : command.configs) configs.push_back({config.name, config.options, config.job});
   const auto tell = [&log](const std::string& line) { log.note(line); };

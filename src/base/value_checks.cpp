@@ -33,6 +33,10 @@ ValueCheck wholeNumber(std::int64_t least, std::int64_t most, const std::string&
                                   [=](std::int64_t value) { return value >= least && value <= most; });
 }
 
+ValueCheck finite(const std::string& unit) {
+  return numberThat<double>("a number" + withUnit(unit), [](double value) { return std::isfinite(value); });
+}
+
 ValueCheck positive(const std::string& unit) {
   return numberThat<double>("a number above 0" + withUnit(unit),
                             [](double value) { return value > 0 && std::isfinite(value); });

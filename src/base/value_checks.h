@@ -13,6 +13,9 @@ using ValueCheck = std::function<std::string(const std::string& value)>;
 /// A whole number within [least, most]. `unit` may be empty.
 [[nodiscard]] ValueCheck wholeNumber(std::int64_t least, std::int64_t most, const std::string& unit);
 
+/// A finite number.
+[[nodiscard]] ValueCheck finite(const std::string& unit);
+
 /// A finite number above zero.
 [[nodiscard]] ValueCheck positive(const std::string& unit);
 

@@ -1,7 +1,8 @@
-/// Images in memory, OpenEXR in and out, PNG previews.
+/// Images in memory, OpenEXR in and out, Radiance in, PNG previews.
 #pragma once
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,17 @@ void writeExr(const std::filesystem::path& file, const Image& image);
 /// window. Further parts of that size are layers: "PART.CHANNEL". Luminance with subsampled chroma becomes RGB.
 /// Throws SceneError on a missing, malformed or deep file.
 [[nodiscard]] Image readExr(const std::filesystem::path& file);
+
+/// Reads a Radiance picture (.hdr, .pic) of RGBE pixels, W/(m² sr) with its exposures undone: flat, or with run lengths
+/// of the old or the new kind, in any orientation. Throws SceneError. [Ward, "Real Pixels", Graphics Gems II, 1991;
+/// Radiance's reference, "Picture File Format"]
+[[nodiscard]] Image readHdr(const std::filesystem::path& file);
+
+/// The same from memory.
+[[nodiscard]] Image decodeHdr(std::span<const unsigned char> bytes, const std::string& where);
+
+/// True if the file begins as a Radiance picture does.
+[[nodiscard]] bool isHdr(const std::filesystem::path& file);
 
 /// A tone-mapped 8-bit preview of channels R, G, B: exposure by the log-average luminance, a filmic shoulder,
 /// sRGB. Renamed into place like writeExr.

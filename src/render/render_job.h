@@ -1,10 +1,13 @@
 /// All settings of one render, as the command line gives them.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "scene/load_options.h"
 
 namespace importon {
 
@@ -75,13 +78,17 @@ struct RenderJob {
   std::uint32_t seed = 0;
   bool allowsOutsideFiles = false;  // the scene may name files outside its folder
   std::string device;
-  int threads = 0;                         // 0: all
-  std::optional<std::uint64_t> memoryMiB;  // cap for photon maps
-  std::filesystem::path environment;       // lat-long map instead of the scene's own; empty: none
-  std::filesystem::path stats;             // empty: none
-  std::filesystem::path checkpoint;        // takes the state every minute and at the end; empty: none
-  std::filesystem::path resume;            // a checkpoint to go on from; empty: none
-  std::filesystem::path reference;         // adds the error against it to the statistics; empty: none
+  int threads = 0;                                 // 0: all
+  std::optional<std::uint64_t> memoryMiB;          // cap for photon maps
+  std::optional<std::array<float, 3>> background;  // W/(m² sr), seen where there is no surface; unset: the environment
+  bool isTransparent = false;                      // nothing is seen there, and the image has coverage as alpha
+  LightChoice light = LightChoice::automatic;
+  std::filesystem::path environment;  // lat-long map instead of the scene's own; empty: none
+  double environmentRotation = 0;     // degrees: scene/environment.h
+  std::filesystem::path stats;        // empty: none
+  std::filesystem::path checkpoint;   // takes the state every minute and at the end; empty: none
+  std::filesystem::path resume;       // a checkpoint to go on from; empty: none
+  std::filesystem::path reference;    // adds the error against it to the statistics; empty: none
   bool validation = false;
   std::uint32_t workgroupSize = 64;  // invocations; the image does not depend on it
   bool forcesAllFeatures = false;    // every feature on: must give the same image

@@ -48,6 +48,7 @@ struct RenderStats {
   std::string deviceName, deviceDriver, deviceType;
   std::uint64_t triangles = 0, lights = 0;
   std::vector<std::string> features;  // names of the features that are modelled
+  std::string light;                  // what lights the scene: scene or studio
   std::string gatherFrom;             // what gather rays read: cells, photons or none
   int width = 0, height = 0, passes = 0;
   PhaseSeconds seconds;

@@ -17,6 +17,7 @@ namespace {
 Image imageOf(const FilmLayers& layers, const PassContext& context) {
   Image image{static_cast<int>(context.parameters.width), static_cast<int>(context.parameters.height), {}, {}};
   addColor(image, "", layers.total);
+  if (context.job.isTransparent) image.channels.push_back({"A", layers.coverage});
   return image;
 }
 

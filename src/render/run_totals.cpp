@@ -6,6 +6,7 @@
 
 #include "render/features/feature_set.h"
 #include "render/options/gather_source.h"
+#include "scene/studio.h"
 #include "shared/ray_data.h"
 
 namespace importon {
@@ -75,6 +76,7 @@ void RunTotals::finish(int passes, const PhotonSystem& caustic, const PhotonSyst
   stats.lights = context_.scene.lights.size();
   for (const FeatureRow& row : describeFeatures(context_.scene, context_.job))
     if (row.isModelled) stats.features.push_back(row.name);
+  stats.light = lightName(context_.scene);
   stats.gatherFrom = gatherSourceName(context_.job);
   stats.width = static_cast<int>(context_.parameters.width);
   stats.height = static_cast<int>(context_.parameters.height);

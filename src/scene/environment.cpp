@@ -10,8 +10,6 @@
 namespace importon {
 namespace {
 
-constexpr float kBrightest = 1e12f;
-
 double lightAt(const EnvironmentMap& map, int x, int y) {
   const int column = (x + map.width) % map.width, row = std::clamp(y, 0, map.height - 1);
   return meanOf(map.texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width) +
@@ -28,6 +26,11 @@ double blurredLight(const EnvironmentMap& map, int x, int y) {
 }
 
 }  // namespace
+
+glm::dvec3 environmentDirection(double x, double y) {
+  const double longitude = 2 * kPi * (x - 0.5), latitude = kPi * y;
+  return {std::sin(latitude) * std::sin(longitude), std::cos(latitude), -std::sin(latitude) * std::cos(longitude)};
+}
 
 double texelSolidAngle(const EnvironmentMap& map, int row) {
   const double top = std::cos(kPi * row / map.height), bottom = std::cos(kPi * (row + 1) / map.height);
@@ -60,6 +63,21 @@ std::vector<float> environmentDensities(const EnvironmentMap& map) {
   return densities;
 }
 
+EnvironmentMap turned(const EnvironmentMap& map, double degrees) {
+  const double shift = std::fmod(degrees, 360) / 360 * map.width;  // columns to the left
+  const auto whole = static_cast<int>(std::floor(shift));
+  const auto rest = static_cast<float>(shift - whole);
+  EnvironmentMap result = map;
+  for (int y = 0; y < map.height; ++y) {
+    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width);
+    const auto at = [&](int x) { return map.texels[row + static_cast<std::size_t>((x + 2 * map.width) % map.width)]; };
+    for (int x = 0; x < map.width; ++x)
+      result.texels[row + static_cast<std::size_t>(x)] =
+          rest > 0 ? glm::mix(at(x + whole), at(x + whole + 1), rest) : at(x + whole);
+  }
+  return result;
+}
+
 void checkEnvironment(const EnvironmentMap& map, const std::string& where) {
   const auto fail = [&](const char* what) { throw SceneError(what, where, "give a lat-long image of radiance"); };
   if (map.width < 1 || map.height < 1) fail("the environment map is empty");
@@ -67,7 +85,7 @@ void checkEnvironment(const EnvironmentMap& map, const std::string& where) {
     fail("the environment map is not whole");
   for (const vec3& texel : map.texels)
     for (int c = 0; c < 3; ++c)
-      if (!(texel[c] >= 0.0f && texel[c] <= kBrightest))
+      if (!(texel[c] >= 0.0f && static_cast<double>(texel[c]) <= kBrightestEnvironment))
         fail("the environment map has a value that is negative, not finite or too large");
 }
 

@@ -17,6 +17,33 @@ namespace importon {
 /// 1 / (4 pi) for a black map.
 [[nodiscard]] std::vector<float> environmentDensities(const EnvironmentMap& map);
 
+/// Direction of a place in the map, 0 .. 1 from the left and from the top, by lib/environment.glsl.
+[[nodiscard]] glm::dvec3 environmentDirection(double x, double y);
+
+/// No radiance of a map is brighter, so that sums stay finite.
+inline constexpr double kBrightestEnvironment = 1e12;
+
+/// The map of `height` rows and twice as many columns whose radiance is `radiance(direction)` times `scale`, W/(m² sr)
+/// from a direction of unit length, in the mean of 2 x 2 points a texel.
+template <class Radiance>
+[[nodiscard]] EnvironmentMap mapOf(int height, const Radiance& radiance, double scale = 1) {
+  EnvironmentMap map{2 * height, height, {}};
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      glm::dvec3 sum(0.0);
+      for (int k = 0; k < 4; ++k)
+        sum += radiance(
+            environmentDirection((x + 0.25 + 0.5 * (k % 2)) / map.width, (y + 0.25 + 0.5 * (k / 2)) / map.height));
+      map.texels.emplace_back(glm::min(0.25 * scale * sum, glm::dvec3(kBrightestEnvironment)));
+    }
+  }
+  return map;
+}
+
+/// The map turned about +y by so many degrees, counter-clockwise seen from above, as a glTF node would turn: by 90,
+/// what came from -z comes from -x. Between texels it is interpolated; the light of each row stays the same.
+[[nodiscard]] EnvironmentMap turned(const EnvironmentMap& map, double degrees);
+
 /// Throws SceneError at `where` unless the size and all values make sense: some texel, one radiance each, none
 /// negative, not finite or so bright that sums overflow.
 void checkEnvironment(const EnvironmentMap& map, const std::string& where);

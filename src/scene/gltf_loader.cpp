@@ -5,6 +5,8 @@
 #include "base/error.h"
 #include "scene/container/gltf_document.h"
 #include "scene/container/gltf_resources.h"
+#include "scene/environment.h"
+#include "scene/framing.h"
 #include "scene/geometry.h"
 #include "scene/images/gltf_image.h"
 #include "scene/lights.h"
@@ -15,6 +17,7 @@
 #include "scene/nodes/gltf_image_light.h"
 #include "scene/nodes/gltf_light.h"
 #include "scene/nodes/gltf_nodes.h"
+#include "scene/studio.h"
 
 namespace importon {
 namespace {
@@ -58,35 +61,43 @@ void completeAttributes(MeshLibrary& library, const MaterialSet& set, const std:
   }
 }
 
-void addLights(const GltfDocument& document, std::span<const PlacedNode> nodes,
-               std::optional<EnvironmentMap> environment, Scene& scene, Log& log) {
+std::optional<EnvironmentMap> chooseEnvironment(const GltfDocument& document, const LoadOptions& options, Log& log) {
+  if (options.light == LightChoice::studio) return std::nullopt;
+  if (options.environment) return options.environment;
+  std::optional<EnvironmentMap> own = readImageLight(document, log);
+  return own ? own : readEnvironment(document, log);
+}
+
+void setEnvironment(Scene& scene, const EnvironmentMap& map, const LoadOptions& options) {
+  scene.environment = options.environmentRotation == 0 ? map : turned(map, options.environmentRotation);
+  addEnvironmentLight(scene);
+}
+
+void addLights(const GltfDocument& document, std::span<const PlacedNode> nodes, const LoadOptions& options,
+               Scene& scene, Log& log) {
   addEmissiveTriangles(scene);
   const float radius = boundingSphere(scene).radius;
   for (const Light& light : readPunctualLights(document, nodes, scene.worldFromRender, radius)) {
     scene.lights.push_back(light);
   }
-  scene.environment = std::move(environment);
-  if (!scene.environment) scene.environment = readImageLight(document, log);
-  if (!scene.environment) scene.environment = readEnvironment(document, log);
-  addEnvironmentLight(scene);
+  if (const auto own = chooseEnvironment(document, options, log)) setEnvironment(scene, *own, options);
+  scene.isInStudio =
+      options.light == LightChoice::studio || (options.light == LightChoice::automatic && isAsGoodAsUnlit(scene));
+  if (scene.isInStudio) setEnvironment(scene, studioEnvironment(), options);
   if (!scene.lights.empty()) return;
   throw SceneError("the scene has no light", document.source.name(),
-                   "give a material emissiveFactor, add KHR_lights_punctual or extras.environment to the scene, or use "
-                   "--environment");
+                   "leave out --light scene, use --environment, or give the scene a light");
 }
 
-void addCameras(const GltfDocument& document, std::span<const PlacedNode> nodes, Scene& scene) {
+void addCameras(const GltfDocument& document, std::span<const PlacedNode> nodes, double aspect, Scene& scene) {
   scene.cameras = readCameras(document, nodes);
   scene.hasCameraInFile = !scene.cameras.empty();
-  if (scene.hasCameraInFile) return;
-  const BoundingSphere sphere = boundingSphere(scene);
-  scene.cameras.push_back(framingCamera(glm::dvec3(sphere.centre) + scene.worldFromRender, sphere.radius));
+  if (!scene.hasCameraInFile) scene.cameras.push_back(framingCamera(scene, aspect));
 }
 
 }  // namespace
 
-Scene loadGltf(const std::filesystem::path& file, Log& log, std::optional<EnvironmentMap> environment,
-               OutsideFiles outside) {
+Scene loadGltf(const std::filesystem::path& file, Log& log, const LoadOptions& options) {
   std::error_code error;
   const std::string name = printable(file.string(), 4096);
   if (!std::filesystem::exists(file, error)) {
@@ -96,12 +107,12 @@ Scene loadGltf(const std::filesystem::path& file, Log& log, std::optional<Enviro
     throw SceneError("this is not a file", name, "name a .gltf or .glb file");
   }
   const std::vector<unsigned char> bytes = readWholeFile(file, name);
-  const AssetFolder folder{file.has_parent_path() ? file.parent_path() : std::filesystem::path("."), outside};
-  return loadGltfFromMemory(std::as_bytes(std::span(bytes)), file, folder, log, std::move(environment));
+  const AssetFolder folder{file.has_parent_path() ? file.parent_path() : std::filesystem::path("."), options.outside};
+  return loadGltfFromMemory(std::as_bytes(std::span(bytes)), file, folder, log, options);
 }
 
 Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem::path& name, const AssetFolder& folder,
-                         Log& log, std::optional<EnvironmentMap> environment) {
+                         Log& log, const LoadOptions& options) {
   const GltfDocument document = readDocument(bytes, name, folder, log);
   const std::vector<PlacedNode> nodes = placeNodes(document);
   MeshLibrary library(document, log);
@@ -117,8 +128,8 @@ Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem
   scene.textures = std::move(set.textures);
   scene.materials = std::move(set.materials);
   scene.materialNames = std::move(set.names);
-  addLights(document, nodes, std::move(environment), scene, log);
-  addCameras(document, nodes, scene);
+  addLights(document, nodes, options, scene, log);
+  addCameras(document, nodes, options.frameAspect, scene);
   return scene;
 }
 

@@ -45,6 +45,7 @@ struct Scene {
   glm::dvec3 worldFromRender{0.0};
   vec3 boundsMin{0}, boundsMax{0};  // render space
   std::optional<EnvironmentMap> environment;
+  bool isInStudio = false;      // the environment is that of scene/studio.h
   bool hasCameraInFile = true;  // false: cameras[0] was made to frame the scene
 };
 

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
@@ -58,6 +60,59 @@ TEST(CliRender, SmokeTakesAnEnvironmentMap) {
   EXPECT_NE(missing.err.find("no.exr"), std::string::npos) << missing.err;
   writeExr(folder / "dark.exr", Image{1, 1, {{"R", {-1}}, {"G", {0}}, {"B", {0}}}, {}});
   EXPECT_EQ(runImporton(smallRender(folder / "o.exr", {"--environment", folder / "dark.exr"})).status, 2);
+}
+
+/// A model as it comes: no light, no camera.
+void writeBareModel(const std::string& file) {
+  std::ofstream(file) << R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+    "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+    "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+    "bufferViews":[{"buffer":0,"byteLength":36}],
+    "buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
+}
+
+TEST(CliRender, SmokeShowsAModelThatHasNothingElse) {
+  const TemporaryFolder folder;
+  writeBareModel(folder / "m.gltf");
+  std::vector<std::string> arguments{folder / "m.gltf", "-o", folder / "m.exr", "--png",          folder / "m.png",
+                                     "--passes",        "1",  "--stats",        folder / "m.json"};
+  arguments.insert(arguments.end(), kSmall.begin(), kSmall.end());
+  const Outcome outcome = runImporton(arguments);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("no light: it is lit by a studio"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("no camera"), std::string::npos) << outcome.err;
+  EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 2) << outcome.err;
+  expectGoodImage(folder / "m.exr");
+  EXPECT_EQ(nlohmann::json::parse(readFile(folder / "m.json"))["light"], "studio");
+  EXPECT_NE(runImporton({"info", folder / "m.gltf"}).out.find("the studio"), std::string::npos);
+  EXPECT_NE(runImporton({"info", folder / "m.gltf", "--json"}).out.find("\"light\": \"studio\""), std::string::npos);
+  arguments.insert(arguments.end(), {"--light", "scene"});
+  EXPECT_EQ(runImporton(arguments).status, 2);
+}
+
+TEST(CliRender, SmokeWritesCoverageAsAlpha) {
+  const TemporaryFolder folder;
+  writeBareModel(folder / "m.gltf");
+  std::vector<std::string> arguments{folder / "m.gltf", "-o", folder / "m.exr", "--passes", "1", "--transparent"};
+  arguments.insert(arguments.end(), kSmall.begin(), kSmall.end());
+  ASSERT_EQ(runImporton(arguments).status, 0);
+  const Image image = readExr(folder / "m.exr");
+  const Channel* alpha = image.find("A");
+  ASSERT_NE(alpha, nullptr);
+  EXPECT_EQ(std::ranges::count(alpha->values, 0.0f) > 0, true);
+  EXPECT_EQ(std::ranges::count(alpha->values, 1.0f) > 0, true);
+}
+
+TEST(CliRender, SmokeTakesARadiancePictureAsEnvironment) {
+  const TemporaryFolder folder;
+  const std::string header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n";
+  std::ofstream(folder / "sky.hdr", std::ios::binary) << header << "\x20\x40\x60\x81\x20\x40\x60\x81";
+  EXPECT_EQ(runImporton(smallRender(folder / "o.exr", {"--passes", "1", "--environment", folder / "sky.hdr"})).status,
+            0);
+  std::ofstream(folder / "cut.hdr", std::ios::binary) << header << "\x20";
+  const Outcome cut = runImporton(smallRender(folder / "o.exr", {"--environment", folder / "cut.hdr"}));
+  EXPECT_EQ(cut.status, 2);
+  EXPECT_NE(cut.err.find("cut.hdr"), std::string::npos) << cut.err;
 }
 
 TEST(CliRender, SmokeWritesImagePreviewAndStats) {

@@ -16,6 +16,7 @@
 namespace {
 
 using importon::test::Bytes;
+using namespace std::string_literals;
 
 void write(const std::filesystem::path& file, const Bytes& bytes) {
   std::ofstream(file, std::ios::binary)
@@ -54,11 +55,22 @@ void writeLuminanceChroma(const std::filesystem::path& file) {
   exr.writePixels(kSide);
 }
 
+/// Radiance pictures of each kind of run lengths.
+void writeHdrs(const std::filesystem::path& folder) {
+  const std::string header = "#?RADIANCE\nEXPOSURE=2\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 10\n";
+  const std::string newRuns = "\x02\x02\x00\x0a\x8a\x05\x03\x01\x02\x03\x87\x09\x8a\x01\x8a\x88"s;
+  const std::string oldRuns = "\x09\x08\x07\x88\x01\x01\x01\x08\x03\x03\x03\x88"s;
+  for (const auto& [name, pixels] : {std::pair("new.hdr", newRuns), std::pair("old.hdr", oldRuns)}) {
+    const std::string file = header + pixels;
+    write(folder / name, Bytes(file.begin(), file.end()));
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) return 1;
-  const std::filesystem::path gltf = argv[1], exr = argv[2];
+  if (argc != 4) return 1;
+  const std::filesystem::path gltf = argv[1], exr = argv[2], hdr = argv[3];
   write(gltf / "everything.glb", importon::test::everything().glb());
   write(gltf / "everything.gltf", importon::test::everything().gltf());
   write(gltf / "triangle.gltf", importon::test::GltfBuilder::emissiveTriangle().gltf());
@@ -66,5 +78,6 @@ int main(int argc, char** argv) {
     for (const bool isTiled : {false, true})
       writeExr(exr / (std::to_string(i) + (isTiled ? "t.exr" : "s.exr")), static_cast<Imf::Compression>(i), isTiled);
   writeLuminanceChroma(exr / "yc.exr");
+  writeHdrs(hdr);
   return 0;
 }

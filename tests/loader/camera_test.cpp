@@ -111,7 +111,7 @@ TEST(FramingCamera, SeesTheWholeSceneWhenTheFileHasNone) {
     const glm::dvec4 inCamera = cameraFromWorld * world;
     ASSERT_LT(inCamera.z, 0);
     const double tangent = std::tan(camera.yfov / 2);
-    EXPECT_LE(std::abs(inCamera.x), -inCamera.z * tangent);
+    EXPECT_LE(std::abs(inCamera.x), -inCamera.z * tangent * camera.aspectRatio);
     EXPECT_LE(std::abs(inCamera.y), -inCamera.z * tangent);
   }
 }

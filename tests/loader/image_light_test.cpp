@@ -98,6 +98,28 @@ TEST(ImageLight, WithoutPicturesIsAsSoftAsItsIrradiance) {
   EXPECT_EQ(log.warnings()[0].kind, "image-based light without pictures");
 }
 
+/// The draft KHR_lights_environment names the light "environment", and has cubes of its own, which are not read.
+TEST(ImageLight, OfTheDraftIsAsSoftAsItsIrradiance) {
+  const auto draft = [](const Json& light, const char* use) {
+    GltfBuilder builder = GltfBuilder::emissiveTriangle();
+    builder.json["extensionsUsed"].push_back("KHR_lights_environment");
+    builder.json["extensions"]["KHR_lights_environment"]["lights"] = Json::array({light});
+    builder.json["scenes"][0]["extensions"]["KHR_lights_environment"] = {{use, 0}};
+    return builder;
+  };
+  Json coefficients = Json::array();
+  for (int i = 0; i < 9; ++i) coefficients.push_back({i == 0 ? kPi / 0.282095 : 0, 0, 0});
+  for (const char* use : {"environment", "light"}) {
+    const Scene scene = load(draft({{"irradianceCoefficients", coefficients}, {"intensity", 2}}, use));
+    ASSERT_TRUE(scene.environment) << use;
+    EXPECT_NEAR(meanRadiance(*scene.environment).x, 2, 1e-4);
+  }
+  const GltfBuilder cubesAlone = draft({{"specularCubemaps", {0}}}, "environment");
+  EXPECT_FALSE(load(cubesAlone).environment);
+  ASSERT_EQ(warningsOf(cubesAlone).size(), 1u);
+  EXPECT_EQ(warningsOf(cubesAlone)[0].kind, "image-based light that is not read");
+}
+
 TEST(ImageLight, RefusesWhatIsNone) {
   EXPECT_NE(errorOf(withLight({{"intensity", -1}})).find("/lights/0/intensity"), std::string::npos);
   EXPECT_NE(errorOf(withLight(Json::object())).find("neither six specularImages"), std::string::npos);

@@ -220,11 +220,6 @@ const Malformed kMeaning[] = {
      },
      "expected 3 numbers", "/scenes/0/extras/environment/radiance"},
     {"NoTriangle", [](B& b) { b.json["scenes"][0]["nodes"] = Json::array(); }, "no triangle", nullptr},
-    {"NoLight",
-     [](B& b) {
-       b.json["materials"][0]["emissiveFactor"] = {0, 0, 0};
-     },
-     "no light", nullptr},
 };
 INSTANTIATE_TEST_SUITE_P(Meaning, MalformedFile, testing::ValuesIn(kMeaning),
                          [](const auto& instance) { return instance.param.name; });

@@ -20,7 +20,7 @@ class ExternalFiles : public testing::Test {
   Scene loadIt(OutsideFiles outside = OutsideFiles::refused) {
     writeFile(folder_ / "scene.gltf", builder_.json.dump());
     Log log(Log::Verbosity::quiet);
-    return loadGltf(folder_ / "scene.gltf", log, std::nullopt, outside);
+    return loadGltf(folder_ / "scene.gltf", log, {.outside = outside});
   }
   std::string error() {
     try {

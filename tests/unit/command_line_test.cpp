@@ -156,6 +156,21 @@ TEST(CommandLine, TakesEveryOptionOfRender) {
   EXPECT_EQ(command.verbosity, Log::Verbosity::verbose);
 }
 
+TEST(CommandLine, TakesLightAndBackground) {
+  const RenderJob defaults = parseRender("s.glb -o o.exr").job;
+  EXPECT_EQ(defaults.light, LightChoice::automatic);
+  EXPECT_FALSE(defaults.isTransparent);
+  EXPECT_FALSE(defaults.background);
+  const RenderJob job =
+      parseRender("s.glb -o o.exr --light studio --environment-rotation -90 --background 0.5,1,2e1").job;
+  EXPECT_EQ(job.light, LightChoice::studio);
+  EXPECT_EQ(job.environmentRotation, -90);
+  EXPECT_EQ(job.background, (std::array{0.5f, 1.0f, 20.0f}));
+  EXPECT_TRUE(parseRender("s.glb -o o.exr --background transparent").job.isTransparent);
+  EXPECT_TRUE(parseRender("s.glb -o o.exr --transparent").job.isTransparent);
+  EXPECT_EQ(std::get<InfoCommand>(parse("info s.glb --light studio")).job.light, LightChoice::studio);
+}
+
 TEST(CommandLine, TakesAConstantDensity) {
   EXPECT_EQ(parseRender("s.glb -o o.exr --constant-density 1e6").job.constantDensity, 1e6);
 }
@@ -273,6 +288,15 @@ TEST(CommandLine, RefusesNumbersOutOfRange) {
                           "--seed -1",
                           "--seed 4294967296",
                           "--threads 0",
+                          "--light dark",
+                          "--environment-rotation x",
+                          "--environment-rotation inf",
+                          "--background white",
+                          "--background 1,2",
+                          "--background 1,2,3,4",
+                          "--background 1,2,-3",
+                          "--background 1,2,nan",
+                          "--background 1,2,",
                           "--memory 0"}) {
     EXPECT_NE(refusal("s.gltf -o o.exr " + std::string(bad)).find("see importon render --help"), std::string::npos)
         << bad;
@@ -294,7 +318,8 @@ TEST(CommandLine, ListsTheNamesOfAnOption) {
 TEST(CommandLine, RefusesContradictions) {
   for (const char* bad : {"s.gltf -o o.exr -q -v", "s.gltf -o o.exr --control off --constant-density 5",
                           "s.gltf -o s.gltf", "s.gltf -o o.exr --png o.exr", "s.gltf -o o.exr --stats ./o.exr",
-                          "s.gltf -o o.exr --aov N,N", "s.gltf -o o.exr --width 5 --width 6"}) {
+                          "s.gltf -o o.exr --aov N,N", "s.gltf -o o.exr --light studio --environment e.exr",
+                          "s.gltf -o o.exr --transparent --background 1,1,1", "s.gltf -o o.exr --width 5 --width 6"}) {
     EXPECT_NE(refusal(bad), "") << bad;
   }
 }

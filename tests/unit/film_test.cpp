@@ -30,6 +30,16 @@ TEST(Film, IsTheMeanOverAllPaths) {
   EXPECT_FLOAT_EQ(layers.total[0].x, 100.0f / 16);
 }
 
+/// 3 of 12 and 2 of 4 paths saw the background: 11 of 16 saw a surface.
+TEST(Film, CoverageIsTheShareOfPathsThatSawASurface) {
+  FilmPixel even = sums(12, 0, 0, 0), odd = sums(4, 0, 0, 0);
+  EXPECT_EQ(read(pixelOf(even, odd), 12, 4).coverage[0], 1);
+  even.uncovered = 3, odd.uncovered = 2;
+  EXPECT_FLOAT_EQ(read(pixelOf(even, odd), 12, 4).coverage[0], 11.0f / 16);
+  even.uncovered = 12;
+  EXPECT_EQ(read(pixelOf(even, {}), 12, 0).coverage[0], 0);
+}
+
 TEST(Film, EmittedLightIsInTheDirectLayer) {
   FilmPixel even = sums(12, 0, 0, 0), odd = sums(4, 0, 0, 0);
   even.emitted = vec3(24), odd.emitted = vec3(8);

@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "io/png.h"
 #include "support/temporary_folder.h"
 
 namespace importon::image_test {
@@ -184,6 +185,28 @@ TEST(Png, KeepsRowsAndChannelsInOrder) {
   EXPECT_EQ(pixels.rgb[2], 0);
   EXPECT_EQ(pixels.rgb[3], 0);
   EXPECT_GT(pixels.rgb[5], 0);  // blue below
+}
+
+/// The image is premultiplied, a PNG is not: half covered by what is as bright elsewhere, the colour is the same.
+TEST(Png, HasAlphaWhereTheImageDoes) {
+  const PngPixels pixels = shownPixels(
+      {3, 1, {{"A", {1, 0.5F, 0}}, {"R", {0.4F, 0.2F, 0}}, {"G", {0.2F, 0.1F, 0}}, {"B", {0, 0, 0}}}, {}}, 1, "image");
+  EXPECT_EQ(pixels.alpha, (std::vector<std::uint8_t>{255, 128, 0}));
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_EQ(pixels.rgb[3 + c], pixels.rgb[c]);
+    EXPECT_EQ(pixels.rgb[6 + c], 0);
+  }
+  const std::vector<std::byte> file = encodePng(pixels, "image");
+  png_image description{};
+  description.version = PNG_IMAGE_VERSION;
+  ASSERT_NE(png_image_begin_read_from_memory(&description, file.data(), file.size()), 0);
+  EXPECT_EQ(description.format & PNG_FORMAT_FLAG_ALPHA, static_cast<png_uint_32>(PNG_FORMAT_FLAG_ALPHA));
+  description.format = PNG_FORMAT_RGBA;
+  std::vector<png_byte> rgba(PNG_IMAGE_SIZE(description));
+  ASSERT_NE(png_image_finish_read(&description, nullptr, rgba.data(), 0, nullptr), 0);
+  EXPECT_EQ(rgba[7], 128);
+  EXPECT_EQ(rgba[4], pixels.rgb[0]);
+  EXPECT_EQ(rgba[11], 0);
 }
 
 TEST(Png, MarksNotANumberInMagenta) {

@@ -51,8 +51,8 @@ using Keys = std::vector<std::string>;
 
 TEST(StatsFile, HasTheKeysOfTheContract) {
   const Json json = written(sample());
-  EXPECT_EQ(keysOf(json), (Keys{"version", "command", "seed", "device", "scene", "gather_from", "image", "seconds",
-                                "kernels", "rays", "importons", "photons", "memory", "error", "warnings"}));
+  EXPECT_EQ(keysOf(json), (Keys{"version", "command", "seed", "device", "scene", "light", "gather_from", "image",
+                                "seconds", "kernels", "rays", "importons", "photons", "memory", "error", "warnings"}));
   EXPECT_EQ(keysOf(json["device"]), (Keys{"name", "driver", "type"}));
   EXPECT_EQ(keysOf(json["scene"]), (Keys{"file", "triangles", "lights", "features"}));
   EXPECT_EQ(keysOf(json["image"]), (Keys{"width", "height", "passes"}));

@@ -29,7 +29,9 @@ void main() {
   else shadowRays[slot].tMax = 0.0;
   paths[slot].flags = path.flags;
   if (hit.triangle == kNone) {
-    if (kHasEnvironment && kEyeMode != kEyeImportons) addEnvironment(slot, path, ray);
+    if (kEyeMode == kEyeImportons) return;
+    if (seesBackground(path)) addBackground(slot, path);
+    else if (kHasEnvironment) addEnvironment(slot, path, ray);
     return;
   }
 

@@ -43,6 +43,7 @@ void main() {
   }
   for (uint k = 0u; k < count; ++k) {
     const PathLight light = pathLight[first + k * stride];
+    const float gathers = light.gathers == kSawBackground ? 0.0 : float(light.gathers);
     random = hashCombine(hashCombine(params.pass, push.first + k), slot);
     add(pixel.emitted, light.emitted);
     add(pixel.direct, light.direct);
@@ -51,14 +52,15 @@ void main() {
     add(pixel.modulation, light.modulation);
     add(pixel.position, light.position);
     add(pixel.normal, light.normal);
-    add(pixel.sharedPosition, light.sharedPosition * float(light.gathers));
-    add(pixel.sharedNormal, light.sharedNormal * float(light.gathers));
+    add(pixel.sharedPosition, light.sharedPosition * gathers);
+    add(pixel.sharedNormal, light.sharedNormal * gathers);
     const vec3 found = light.emitted + light.direct + light.caustic, sum = found + light.indirect;
     add(pixel.square, sum * sum);
-    vec3 others = vec3(pixel.gathers, pixel.foundSquare, 0.0);
-    add(others, vec3(float(light.gathers), mean(found) * mean(found), 0.0));
+    vec3 others = vec3(pixel.gathers, pixel.foundSquare, pixel.uncovered);
+    add(others, vec3(gathers, mean(found) * mean(found), light.gathers == kSawBackground ? 1.0 : 0.0));
     pixel.gathers = others.x;
     pixel.foundSquare = others.y;
+    pixel.uncovered = others.z;
   }
   film[push.offset + slot] = pixel;
 }

@@ -145,6 +145,7 @@ const std::array kFeatures{
 FeatureSet findFeatures(const Scene& scene, const RenderJob& job) {
   FeatureSet features;
   features.pixelFilter = static_cast<uint>(job.filter);
+  features.hasBackground = job.isTransparent || job.background.has_value();
   for (const FeatureEntry& entry : kFeatures) {
     const bool isOut = entry.kind == FeatureKind::maps && job.integrator == Integrator::path;
     const bool isForced = entry.kind == FeatureKind::scene && job.forcesAllFeatures;
@@ -154,7 +155,8 @@ FeatureSet findFeatures(const Scene& scene, const RenderJob& job) {
 }
 
 std::vector<gpu::Specialization> specializations(const FeatureSet& features) {
-  std::vector<gpu::Specialization> constants{{kSpecPixelFilter, features.pixelFilter}};
+  std::vector<gpu::Specialization> constants{{kSpecPixelFilter, features.pixelFilter},
+                                             {kSpecHasBackground, features.hasBackground}};
   for (const FeatureEntry& entry : kFeatures)
     if (entry.specialization != kNone) constants.push_back({entry.specialization, features.*entry.flag});
   return constants;

@@ -13,10 +13,11 @@ namespace importon {
 /// What each is for stands in the table of feature_set.cpp.
 struct FeatureSet {
   bool hasAlpha = false, hasTextures = false, hasNormalMaps = false, hasVertexColors = false, hasReflection = false,
-       hasTransmission = false, hasMedia = false, hasClearcoat = false, hasTriangleLights = false,
-       hasCutLights = false, hasPunctualLights = false, hasEnvironment = false;
+       hasTransmission = false, hasMedia = false, hasClearcoat = false, hasTriangleLights = false, hasCutLights = false,
+       hasPunctualLights = false, hasEnvironment = false;
   bool needsCausticMap = false, readsCells = false, needsGlobalMap = false;
-  uint pixelFilter = 0;  // kFilter*
+  uint pixelFilter = 0;        // kFilter*
+  bool hasBackground = false;  // the camera sees another background than the environment
 
   /// Photons of a kind are shot: into a map, or into surface cells.
   [[nodiscard]] bool needsPhotons(MapKind kind) const { return kind == MapKind::global || needsCausticMap; }

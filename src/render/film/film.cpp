@@ -103,6 +103,7 @@ FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& rea
   FilmLayers layers;
   for (auto* layer : {&layers.total, &layers.direct, &layers.caustic, &layers.indirect, &layers.variance})
     layer->resize(pixels);
+  layers.coverage.resize(pixels);
   for (std::size_t i = 0; i < pixels; ++i) {
     const FilmPixel &a = halves[i], &b = halves[pixels + i];
     const vec3 emittedEven = a.emitted * inverse(counts.even(i)), emittedOdd = b.emitted * inverse(counts.odd(i));
@@ -110,6 +111,8 @@ FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& rea
     layers.caustic[i] = mix(parts.caustic.even[i], parts.caustic.odd[i]);
     layers.indirect[i] = mix(parts.indirect.even[i], parts.indirect.odd[i]);
     layers.total[i] = layers.direct[i] + layers.caustic[i] + layers.indirect[i];
+    layers.coverage[i] =
+        1 - (a.uncovered * inverse(counts.even(i)) * share + b.uncovered * inverse(counts.odd(i)) * (1 - share));
     layers.variance[i] =
         varianceOf(a, counts.even(i)) * (share * share) + varianceOf(b, counts.odd(i)) * ((1 - share) * (1 - share));
     raw.even[i] = emittedEven + (a.direct + a.caustic + a.indirect) * inverse(counts.even(i));

@@ -36,9 +36,10 @@ class Film {
 /// image.
 struct FilmLayers {
   std::vector<vec3> total, direct, caustic, indirect;
-  std::vector<vec3> variance;  // of the mean, from the spread over passes, before any filter
-  std::vector<vec3> error;     // standard error expected: render/film/error_estimate.h; 0 if there is no second half
-  double estimatedError = 0;   // relative, the same of the whole image
+  std::vector<vec3> variance;   // of the mean, from the spread over passes, before any filter
+  std::vector<vec3> error;      // standard error expected: render/film/error_estimate.h; 0 if there is no second half
+  std::vector<float> coverage;  // share of paths that saw a surface; 1 throughout if the environment is the background
+  double estimatedError = 0;    // relative, the same of the whole image
 };
 
 /// How to read a film.

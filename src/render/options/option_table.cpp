@@ -4,6 +4,7 @@
 
 #include "render/options/aov_table.h"
 #include "render/options/gather_source.h"
+#include "render/options/image_options.h"
 
 namespace importon {
 namespace {
@@ -12,7 +13,7 @@ using namespace option_rows;
 using Group = OptionGroup;
 using Rows = std::vector<OptionRow>;
 
-constexpr std::int64_t kMostPixelsWide = 65536, kMostPasses = 1'000'000, kMostPaths = 1 << 30, kMostThreads = 4096;
+constexpr std::int64_t kMostPasses = 1'000'000, kMostPaths = 1 << 30, kMostThreads = 4096;
 constexpr std::int64_t kMostDepth = 1000, kMostGatherRays = 65536, kMostReceivers = 32, kMostNeighbours = 1000;
 constexpr std::int64_t kMostMiB = 1 << 30, kMostSeed = std::numeric_limits<std::uint32_t>::max();
 
@@ -52,33 +53,6 @@ Rows outputOptions() {
            "image to measure the error against after each pass, for\n--stats (default: none)"),
       text(Group::output, "--stats", "F.json", &RenderJob::stats, "counts, times and warnings as JSON (default: none)")
           .everyday()};
-}
-
-Rows imageOptions() {
-  const auto pixels = wholeNumber(1, kMostPixelsWide, "pixels");
-  return {number(Group::image, "--width", "PIXELS", &RenderJob::width, pixels,
-                 "width of the image (default: the camera's extras.width, else 640)")
-              .everyday(),
-          number(Group::image, "--height", "PIXELS", &RenderJob::height, pixels,
-                 "height of the image (default: by the camera's aspect ratio)")
-              .everyday(),
-          OptionRow{"--camera",
-                    "NAME",
-                    "which glTF camera, by name or index (default: the first)",
-                    Group::image,
-                    {},
-                    [](RenderJob& job, const std::string& given) { job.camera = given; },
-                    [](const RenderJob& job) { return job.camera; }}
-              .everyday(),
-          choice<PixelFilter>(Group::image, "--filter", &RenderJob::filter,
-                              {{"box", PixelFilter::box},
-                               {"gaussian", PixelFilter::gaussian},
-                               {"blackman-harris", PixelFilter::blackmanHarris}},
-                              "pixel filter (default: box)")
-              .forImage(),
-          text(Group::image, "--environment", "F.exr", &RenderJob::environment,
-               "lat-long environment map; its middle looks along -z, its top is\n+y (default: the scene's)")
-              .everyday()};
 }
 
 Rows stopOptions() {

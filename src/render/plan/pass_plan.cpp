@@ -189,6 +189,8 @@ Parameters makeParameters(const RenderJob& job, const Scene& scene, const PassPl
   p.fluxScale = chooseFluxScale(power, job.maxDepth);
   p.quotaPhotons = static_cast<float>(job.quota.value_or(kQuotaPhotons));
   p.largestQuotaRadius = largestQuotaRadius(job, plan.whole.photons, p.quotaPhotons, surfaceArea(scene));
+  if (job.background && !job.isTransparent)
+    p.background = vec3((*job.background)[0], (*job.background)[1], (*job.background)[2]);
   p.densityScale = 1;
   p.importonFlux = 1;
   p.causticMap =

@@ -11,10 +11,11 @@
 namespace importon {
 namespace {
 
-constexpr std::array<std::string_view, 11> kKnownExtensions = {
-    "EXT_lights_image_based", "KHR_lights_punctual",    "KHR_materials_clearcoat",    "KHR_materials_emissive_strength",
-    "KHR_materials_ior",      "KHR_materials_specular", "KHR_materials_transmission", "KHR_materials_unlit",
-    "KHR_materials_volume",   "KHR_mesh_quantization",  "KHR_texture_transform"};
+constexpr std::array<std::string_view, 12> kKnownExtensions = {
+    "EXT_lights_image_based",  "KHR_lights_environment",          "KHR_lights_punctual",
+    "KHR_materials_clearcoat", "KHR_materials_emissive_strength", "KHR_materials_ior",
+    "KHR_materials_specular",  "KHR_materials_transmission",      "KHR_materials_unlit",
+    "KHR_materials_volume",    "KHR_mesh_quantization",           "KHR_texture_transform"};
 
 bool isKnown(std::string_view name) {
   return std::find(kKnownExtensions.begin(), kKnownExtensions.end(), name) != kKnownExtensions.end();

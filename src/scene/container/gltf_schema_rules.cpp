@@ -74,16 +74,19 @@ void addNodes(std::vector<SchemaRule>& rules) {
   node.reference("extensions/KHR_lights_punctual/light", "extensions/KHR_lights_punctual/lights", index, true);
   Rules environment(rules, "scenes/*/extras/environment");
   environment.optional("type", string).vector("radiance", 3, 0, kBrightestFactor);
-  const std::string imageLights = "extensions/EXT_lights_image_based/lights";
-  Rules(rules, "scenes/*")
-      .optional("extensions/EXT_lights_image_based", object)
-      .reference("extensions/EXT_lights_image_based/light", imageLights, index, true);
-  Rules(rules, "").optional("extensions/EXT_lights_image_based", object).required(imageLights, objects);
-  Rules imageLight(rules, imageLights + "/*");
-  imageLight.range("intensity", 0, kBrightestFactor)
-      .vector("rotation", 4)
-      .vector("irradianceCoefficients/*", 3, -kBrightestFactor, kBrightestFactor);
-  imageLight.reference("specularImages/*", "images", indices);
+  const std::string imageBased = "extensions/EXT_lights_image_based", draft = "extensions/KHR_lights_environment";
+  Rules(rules, "scenes/*").reference(imageBased + "/light", imageBased + "/lights", index, true);
+  for (const char* use : {"/light", "/environment"})
+    Rules(rules, "scenes/*").reference(draft + use, draft + "/lights", index);
+  for (const std::string& extension : {imageBased, draft}) {
+    Rules(rules, "scenes/*").optional(extension, object);
+    Rules(rules, "").optional(extension, object).required(extension + "/lights", objects);
+    Rules imageLight(rules, extension + "/lights/*");
+    imageLight.range("intensity", 0, kBrightestFactor)
+        .vector("rotation", 4)
+        .vector("irradianceCoefficients/*", 3, -kBrightestFactor, kBrightestFactor);
+    imageLight.reference("specularImages/*", "images", indices);
+  }
   Rules skin(rules, "skins/*");
   skin.reference("joints", "nodes", indices, true).reference("skeleton", "nodes");
   skin.reference("inverseBindMatrices", "accessors");

@@ -80,15 +80,4 @@ std::vector<Camera> readCameras(const GltfDocument& document, std::span<const Pl
   return cameras;
 }
 
-Camera framingCamera(const glm::dvec3& centre, double radius) {
-  Camera camera;
-  camera.name = "frame";
-  const glm::dvec3 backward = glm::normalize(glm::dvec3(0.3, 0.4, 1.0));
-  const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), backward));
-  const double distance = radius / std::sin(camera.yfov / 2.0);
-  camera.worldFromCamera = glm::dmat4(glm::dvec4(right, 0), glm::dvec4(glm::cross(backward, right), 0),
-                                      glm::dvec4(backward, 0), glm::dvec4(centre + backward * distance, 1));
-  return camera;
-}
-
 }  // namespace importon

@@ -13,7 +13,4 @@ namespace importon {
 /// times. Throws SceneError.
 [[nodiscard]] std::vector<Camera> readCameras(const GltfDocument& document, std::span<const PlacedNode> nodes);
 
-/// A perspective camera that sees the whole sphere (world space, m), from the front and slightly above.
-[[nodiscard]] Camera framingCamera(const glm::dvec3& centre, double radius);
-
 }  // namespace importon

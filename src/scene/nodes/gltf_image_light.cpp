@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "scene/container/gltf_json.h"
+#include "scene/environment.h"
 #include "scene/images/gltf_image.h"
 #include "scene/images/image_decode.h"
 #include "scene/light_math.h"
@@ -19,7 +20,8 @@ namespace importon {
 namespace {
 
 using glm::dvec3;
-constexpr const char* kName = "EXT_lights_image_based";
+/// The second is a draft: it has the same lights, but their pictures are cubes in KTX2 files, which are not read.
+constexpr const char *kName = "EXT_lights_image_based", *kDraft = "KHR_lights_environment";
 constexpr std::size_t kLargestFace = 2048;
 
 /// A face of the cube as it is seen from inside.
@@ -88,29 +90,6 @@ class Cube {
   std::array<std::vector<dvec3>, 6> faces_;
 };
 
-/// Direction at the middle of a lat-long texel, by lib/environment.glsl.
-dvec3 directionAt(double x, double y) {
-  const double longitude = 2 * kPi * (x - 0.5), latitude = kPi * y;
-  return {std::sin(latitude) * std::sin(longitude), std::cos(latitude), -std::sin(latitude) * std::cos(longitude)};
-}
-
-/// The map whose radiance is `radiance(direction)`, in the mean of 2 x 2 points a texel.
-template <class Radiance>
-EnvironmentMap mapOf(int height, const glm::dquat& rotation, double intensity, const Radiance& radiance) {
-  EnvironmentMap map{2 * height, height, {}};
-  const glm::dquat back = glm::inverse(rotation);
-  for (int y = 0; y < map.height; ++y) {
-    for (int x = 0; x < map.width; ++x) {
-      dvec3 sum(0.0);
-      for (int k = 0; k < 4; ++k)
-        sum += radiance(back *
-                        directionAt((x + 0.25 + 0.5 * (k % 2)) / map.width, (y + 0.25 + 0.5 * (k / 2)) / map.height));
-      map.texels.emplace_back(glm::min(0.25 * intensity * sum, dvec3(1e12)));
-    }
-  }
-  return map;
-}
-
 /// Radiance whose irradiance has these nine coefficients. [Ramamoorthi and Hanrahan 2001, eq. 3 and 8]
 dvec3 radianceOfHarmonics(const std::array<dvec3, 9>& irradiance, const dvec3& n) {
   const std::array<double, 9> basis = {0.282095,
@@ -136,34 +115,58 @@ glm::dquat rotationOf(const nlohmann::json& light, const std::string& where) {
   return glm::dquat(q.w, q.x, q.y, q.z) / length;
 }
 
+/// The light that the scene uses: the extension's name and the light's index, -1 for none.
+struct LightUse {
+  const char* extension = kName;
+  int index = -1;
+};
+
+LightUse lightUsed(const GltfDocument& document) {
+  const nlohmann::json& scene = element(member(document.json, "scenes"), defaultScene(document));
+  if (const int own = integerOr(member(scene, "extensions", kName), "light", -1); own >= 0) return {kName, own};
+  const nlohmann::json& draft = member(scene, "extensions", kDraft);
+  return {kDraft, integerOr(draft, "environment", integerOr(draft, "light", -1))};
+}
+
+/// The nine coefficients, W/m²; none where there are not as many.
+std::optional<std::array<dvec3, 9>> coefficientsOf(const nlohmann::json& light) {
+  const nlohmann::json& values = member(light, "irradianceCoefficients");
+  std::array<dvec3, 9> coefficients{};
+  if (!values.is_array() || values.size() != coefficients.size()) return std::nullopt;
+  for (std::size_t i = 0; i < coefficients.size(); ++i)
+    for (int c = 0; c < 3; ++c) coefficients[i][c] = values[i][static_cast<std::size_t>(c)].get<double>();
+  return coefficients;
+}
+
 }  // namespace
 
 std::optional<EnvironmentMap> readImageLight(const GltfDocument& document, Log& log) {
-  const nlohmann::json& use =
-      member(element(member(document.json, "scenes"), defaultScene(document)), "extensions", kName);
-  const int index = integerOr(use, "light", -1);
+  const auto [extension, index] = lightUsed(document);
   if (index < 0) return std::nullopt;
-  const std::string where = document.source.at(fmt::format("/extensions/{}/lights/{}", kName, index));
+  const std::string where = document.source.at(fmt::format("/extensions/{}/lights/{}", extension, index));
   const nlohmann::json& light =
-      element(member(document.json, "extensions", kName, "lights"), static_cast<std::size_t>(index));
-  const glm::dquat rotation = rotationOf(light, where);
+      element(member(document.json, "extensions", extension, "lights"), static_cast<std::size_t>(index));
+  const glm::dquat back = glm::inverse(rotationOf(light, where));
   const double intensity = numberOr(light, "intensity", 1.0);
   const nlohmann::json& images = element(member(light, "specularImages"), 0);
   if (images.is_array() && images.size() == kFaces.size()) {
     const Cube cube(document, images, where);
-    return mapOf(static_cast<int>(2 * cube.side()), rotation, intensity, [&](const dvec3& d) { return cube.at(d); });
+    return mapOf(
+        static_cast<int>(2 * cube.side()), [&](const dvec3& d) { return cube.at(back * d); }, intensity);
   }
-  const nlohmann::json& values = member(light, "irradianceCoefficients");
-  std::array<dvec3, 9> coefficients{};
-  if (!values.is_array() || values.size() != coefficients.size())
+  const std::optional<std::array<dvec3, 9>> coefficients = coefficientsOf(light);
+  if (!coefficients && extension == kDraft) {
+    log.warn("image-based light that is not read", fmt::format("{}: cubes in KTX2 files are passed over", where));
+    return std::nullopt;
+  }
+  if (!coefficients)
     throw SceneError("the light has neither six specularImages nor nine irradianceCoefficients", where,
                      "export the light again");
-  for (std::size_t i = 0; i < coefficients.size(); ++i)
-    for (int c = 0; c < 3; ++c) coefficients[i][c] = values[i][static_cast<std::size_t>(c)].get<double>();
   log.warn("image-based light without pictures",
            fmt::format("{}: no cube of pictures: the light is as soft as its irradianceCoefficients", where));
   constexpr int kHeight = 64;
-  return mapOf(kHeight, rotation, intensity, [&](const dvec3& d) { return radianceOfHarmonics(coefficients, d); });
+  return mapOf(
+      kHeight, [&](const dvec3& d) { return radianceOfHarmonics(*coefficients, back * d); }, intensity);
 }
 
 }  // namespace importon

@@ -1,4 +1,4 @@
-/// Light from pictures: EXT_lights_image_based.
+/// Light from pictures: EXT_lights_image_based, and of the draft KHR_lights_environment what is like it.
 #pragma once
 #include <optional>
 

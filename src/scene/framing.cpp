@@ -1,0 +1,95 @@
+#include "scene/framing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace importon {
+namespace {
+
+using glm::dvec3;
+
+constexpr double kFieldOfView = 0.6;  // radians, high: little perspective, as of a lens for portraits
+constexpr double kShown = 0.9;        // share of the image's extent that the scene takes
+
+/// Towards the camera. Azimuth from +z to +x, both in degrees.
+dvec3 towards(double azimuth, double elevation) {
+  const double a = glm::radians(azimuth), e = glm::radians(elevation);
+  return {std::cos(e) * std::sin(a), std::sin(e), std::cos(e) * std::cos(a)};
+}
+
+/// The way that the surfaces face: the mean normal where they agree; the axis of flat things that have two sides,
+/// towards the front, the right or above; else 0.
+dvec3 facing(const Scene& scene) {
+  constexpr double kAgreeing = 0.5, kFlat = 0.8;
+  dvec3 sum(0.0), sizes(0.0);
+  double area = 0;
+  for (const Triangle& t : scene.triangles) {
+    const dvec3 a(scene.positions[t.v0]);
+    const dvec3 normal = glm::cross(dvec3(scene.positions[t.v1]) - a, dvec3(scene.positions[t.v2]) - a);
+    sum += normal;
+    sizes += glm::abs(normal);
+    area += glm::length(normal);
+  }
+  if (glm::length(sum) > kAgreeing * area) return glm::normalize(sum);
+  for (int axis = 0; axis < 3; ++axis) {
+    dvec3 unit(0.0);
+    unit[axis] = 1;
+    if (sizes[axis] > kFlat * area) return unit;
+  }
+  return dvec3(0.0);
+}
+
+/// The first of these views that sees well what faces one way; the first if nothing does.
+dvec3 viewOf(const Scene& scene) {
+  constexpr double kSide = 32, kAbove = 17, kHighAbove = 40, kSeenWell = 0.35;  // degrees; a cosine
+  constexpr std::array kAzimuths{kSide, -kSide, 180 - kSide, kSide - 180};
+  constexpr std::array kElevations{kAbove, kHighAbove, -kHighAbove};
+  const dvec3 normal = facing(scene);
+  for (const double elevation : kElevations)
+    for (const double azimuth : kAzimuths)
+      if (glm::dot(normal, towards(azimuth, elevation)) > kSeenWell) return towards(azimuth, elevation);
+  return towards(kSide, kAbove);
+}
+
+/// How far the camera must be, and how far to the side, so that points fit between two planes through it: with x to the
+/// side, z towards the camera, both of a point, and the tangent t of half the angle between them, |x - side| <= t (back
+/// - z).
+struct Fit {
+  double low = -std::numeric_limits<double>::infinity(), high = low;
+
+  void add(double x, double z, double tangent) {
+    low = std::max(low, z * tangent - x);
+    high = std::max(high, z * tangent + x);
+  }
+  [[nodiscard]] double back(double tangent) const { return (low + high) / (2 * tangent); }
+  [[nodiscard]] double side() const { return (high - low) / 2; }
+};
+
+}  // namespace
+
+Camera framingCamera(const Scene& scene, double aspect) {
+  Camera camera;
+  camera.name = "frame";
+  camera.yfov = kFieldOfView;
+  camera.aspectRatio = aspect;
+  const dvec3 backward = viewOf(scene), right = glm::normalize(glm::cross(dvec3(0, 1, 0), backward)),
+              up = glm::cross(backward, right);
+  const double high = kShown * std::tan(camera.yfov / 2), wide = high * aspect;
+  Fit across, along;
+  for (const Triangle& t : scene.triangles) {
+    for (const uint vertex : {t.v0, t.v1, t.v2}) {
+      const dvec3 p(scene.positions[vertex]);
+      across.add(glm::dot(p, right), glm::dot(p, backward), wide);
+      along.add(glm::dot(p, up), glm::dot(p, backward), high);
+    }
+  }
+  const double back = std::max(across.back(wide), along.back(high));
+  const dvec3 eye = right * across.side() + up * along.side() + backward * back + scene.worldFromRender;
+  camera.worldFromCamera =
+      glm::dmat4(glm::dvec4(right, 0), glm::dvec4(up, 0), glm::dvec4(backward, 0), glm::dvec4(eye, 1));
+  return camera;
+}
+
+}  // namespace importon
