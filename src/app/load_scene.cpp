@@ -9,8 +9,9 @@ namespace {
 void tellOfStudio(const RenderJob& job, const Scene& scene, Log& log) {
   if (!scene.isInStudio || job.light == LightChoice::studio) return;
   const bool hasEmitters = !scene.lightOfTriangle.empty();
-  log.note(hasEmitters ? "the scene's emitters are too weak to show it: it is lit by a studio (--light scene: as it is)"
-                       : "the scene has no light: it is lit by a studio (--environment F lights it otherwise)");
+  log.note(hasEmitters
+               ? "nothing but what glows on it lights the scene: a studio lights it too (--light scene: as it is)"
+               : "the scene has no light: it is lit by a studio (--environment F lights it otherwise)");
 }
 
 }  // namespace

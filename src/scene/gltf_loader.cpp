@@ -81,8 +81,8 @@ void addLights(const GltfDocument& document, std::span<const PlacedNode> nodes, 
     scene.lights.push_back(light);
   }
   if (const auto own = chooseEnvironment(document, options, log)) setEnvironment(scene, *own, options);
-  scene.isInStudio =
-      options.light == LightChoice::studio || (options.light == LightChoice::automatic && isAsGoodAsUnlit(scene));
+  scene.isInStudio = options.light == LightChoice::studio ||
+                     (options.light == LightChoice::automatic && (isAsGoodAsUnlit(scene) || isGlowingModel(scene)));
   if (scene.isInStudio) setEnvironment(scene, studioEnvironment(), options);
   if (!scene.lights.empty()) return;
   throw SceneError("the scene has no light", document.source.name(),
@@ -128,8 +128,8 @@ Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem
   scene.textures = std::move(set.textures);
   scene.materials = std::move(set.materials);
   scene.materialNames = std::move(set.names);
-  addLights(document, nodes, options, scene, log);
   addCameras(document, nodes, options.frameAspect, scene);
+  addLights(document, nodes, options, scene, log);
   return scene;
 }
 

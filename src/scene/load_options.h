@@ -9,13 +9,13 @@ namespace importon {
 
 /// Which environment lights the scene. Punctual lights and emitters always stay.
 enum class LightChoice {
-  automatic,  // the scene's; the studio where the scene has no light that shows anything
+  automatic,  // the scene's; the studio where the scene has no light that shows anything, or is a model that glows
   scene,      // the scene's; without light it is an error
   studio      // the studio instead of the scene's
 };
 
 struct LoadOptions {
-  LightChoice light = LightChoice::automatic;
+  LightChoice light = LightChoice::scene;
   std::optional<EnvironmentMap> environment = std::nullopt;  // stands in for the file's own
   double environmentRotation = 0;                            // degrees: scene/environment.h
   double frameAspect = kFrameAspect;                         // width over height that a camera of our own frames for

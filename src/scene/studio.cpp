@@ -62,6 +62,11 @@ EnvironmentMap studioEnvironment() {
   });
 }
 
+bool isGlowingModel(const Scene& scene) {
+  return !scene.hasCameraInFile &&
+         std::ranges::all_of(scene.lights, [](const Light& light) { return light.kind == kLightTriangle; });
+}
+
 bool isAsGoodAsUnlit(const Scene& scene) {
   constexpr double kGrey = 0.18, kFirstStep = 1 / (255 * 12.92);  // linear, by IEC 61966-2-1
   return std::all_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {

@@ -13,6 +13,10 @@ namespace importon {
 /// sRGB picture above black, at exposure 1. True without any light.
 [[nodiscard]] bool isAsGoodAsUnlit(const Scene& scene);
 
+/// True for a file without camera where nothing but emissive triangles gives light: a model with parts that glow, not a
+/// scene that they are to light.
+[[nodiscard]] bool isGlowingModel(const Scene& scene);
+
 /// What lights the scene: "studio", or "scene", which is also an environment given for it.
 [[nodiscard]] inline const char* lightName(const Scene& scene) { return scene.isInStudio ? "studio" : "scene"; }
 

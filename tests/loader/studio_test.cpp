@@ -12,8 +12,11 @@
 namespace importon::test {
 namespace {
 
+/// A triangle that a camera sees.
 GltfBuilder emitting(float red) {
   GltfBuilder builder = GltfBuilder::emissiveTriangle();
+  const int camera = builder.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}});
+  builder.json["nodes"][0]["camera"] = camera;
   builder.json["materials"][0].erase("extensions");
   builder.json["materials"][0]["emissiveFactor"] = {red, 0, 0};
   return builder;
@@ -27,19 +30,21 @@ Scene load(const GltfBuilder& builder, const LoadOptions& options) {
   return loadGltfFromMemory(asBytes(bytes), "test.glb", {}, log, options);
 }
 
+Scene loadAuto(const GltfBuilder& builder) { return load(builder, {.light = LightChoice::automatic}); }
+
 void addConstantEnvironment(GltfBuilder& builder, float radiance) {
   builder.json["scenes"][0]["extras"]["environment"] = {{"type", "constant"},
                                                         {"radiance", {radiance, radiance, radiance}}};
 }
 
 TEST(LightChoice, AutoLightsBySceneOrStudio) {
-  EXPECT_TRUE(test::load(unlit()).isInStudio);
-  const Scene lit = test::load(emitting(1));
+  EXPECT_TRUE(loadAuto(unlit()).isInStudio);
+  const Scene lit = loadAuto(emitting(1));
   EXPECT_FALSE(lit.isInStudio);
   EXPECT_FALSE(lit.environment);
   GltfBuilder environment = unlit();
   addConstantEnvironment(environment, 1e-6f);
-  EXPECT_FALSE(test::load(environment).isInStudio) << "an environment is seen, however weak";
+  EXPECT_FALSE(loadAuto(environment).isInStudio) << "an environment is seen, however weak";
 }
 
 TEST(LightChoice, OfTheSceneFailsWhereThereIsNone) {
@@ -67,24 +72,36 @@ TEST(LightChoice, StudioStandsForTheEnvironmentAlone) {
 /// Grey that the emitter lights from all around: 0.18 L against 1 / (255 · 12.92) of an 8-bit sRGB picture.
 TEST(LightChoice, EmittersThatWouldShowBlackCountAsNone) {
   constexpr float kLeast = 3 / (0.18f * 255 * 12.92f);  // red, for that mean of three channels
-  EXPECT_TRUE(test::load(emitting(0.99f * kLeast)).isInStudio);
-  EXPECT_FALSE(test::load(emitting(1.01f * kLeast)).isInStudio);
+  EXPECT_TRUE(loadAuto(emitting(0.99f * kLeast)).isInStudio);
+  EXPECT_FALSE(loadAuto(emitting(1.01f * kLeast)).isInStudio);
   const Scene kept = load(emitting(0.5f * kLeast), {.light = LightChoice::scene});
   EXPECT_FALSE(kept.isInStudio);
   EXPECT_EQ(kept.lights.size(), 1u);
-  EXPECT_EQ(test::load(emitting(0.5f * kLeast)).lights.size(), 2u) << "they stay beside the studio";
+  EXPECT_EQ(loadAuto(emitting(0.5f * kLeast)).lights.size(), 2u) << "they stay beside the studio";
+}
+
+/// Without a camera a file is a model: what glows on it is not there to light it. With a lamp it is a scene.
+TEST(LightChoice, ModelsThatGlowAreLitByTheStudioToo) {
+  GltfBuilder model = emitting(1);
+  model.json["nodes"][0].erase("camera");
+  const Scene scene = loadAuto(model);
+  EXPECT_TRUE(scene.isInStudio);
+  EXPECT_EQ(scene.lights.size(), 2u);
+  EXPECT_FALSE(load(model, {.light = LightChoice::scene}).isInStudio);
+  addConstantEnvironment(model, 1);
+  EXPECT_FALSE(loadAuto(model).isInStudio);
 }
 
 TEST(LightChoice, ABlackEnvironmentIsNone) {
   GltfBuilder builder = unlit();
   addConstantEnvironment(builder, 0);
-  const Scene scene = test::load(builder);
+  const Scene scene = loadAuto(builder);
   EXPECT_TRUE(scene.isInStudio);
   EXPECT_EQ(scene.lights.size(), 1u);
 }
 
 TEST(LightChoice, TurnsTheStudioToo) {
-  const Scene scene = load(unlit(), {.environmentRotation = 90});
+  const Scene scene = load(unlit(), {.light = LightChoice::automatic, .environmentRotation = 90});
   EXPECT_EQ(scene.environment->texels, turned(studioEnvironment(), 90).texels);
 }
 
