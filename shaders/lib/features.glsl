@@ -4,6 +4,7 @@
 #include "shared/features.h"
 
 layout(constant_id = kSpecHasTextures) const bool kHasTextures = true;
+layout(constant_id = kSpecHasDeepTextures) const bool kHasDeepTextures = true;
 layout(constant_id = kSpecHasNormalMaps) const bool kHasNormalMaps = true;
 layout(constant_id = kSpecHasVertexColors) const bool kHasVertexColors = true;
 layout(constant_id = kSpecHasReflection) const bool kHasReflection = true;

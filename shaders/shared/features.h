@@ -21,6 +21,7 @@ SHARED_CONST uint kSpecHasTriangleLights = 9u;
 SHARED_CONST uint kSpecHasPunctualLights = 10u;
 SHARED_CONST uint kSpecHasEnvironment = 11u;
 SHARED_CONST uint kSpecHasCutLights = 47u;  // masked or blended triangles that emit
+SHARED_CONST uint kSpecHasDeepTextures = 60u;  // with 16 bits a channel
 // The job.
 SHARED_CONST uint kSpecEyeMode = 12u;  // kEyeImage, kEyeImportons, kEyePath
 SHARED_CONST uint kSpecHasCausticMap = 13u;

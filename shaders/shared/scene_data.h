@@ -76,7 +76,7 @@ SHARED_CONST uint kWrapMirror = 2u;
 
 /// A use of an image: sampler, colour meaning, UV set and KHR_texture_transform.
 struct Texture {
-  uint firstTexel;  // into the texel array, RGBA8 with red in the low byte, rows from the top
+  uint firstTexel;  // into the texel array, in words; RGBA with red in the low byte, rows from the top
   uint width;
   uint height;
   uint wrapS;
@@ -84,6 +84,7 @@ struct Texture {
   uint isNearest;  // 1: no interpolation
   uint isSrgb;     // 1: rgb decode from sRGB
   uint uvSet;      // 0, 1
+  uint isDeep;     // 1: RGBA16, two words a texel, red and green first; 0: RGBA8
   vec3 uvRow0;     // u' = dot(uvRow0, (u, v, 1))
   vec3 uvRow1;
 };

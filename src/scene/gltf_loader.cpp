@@ -11,6 +11,7 @@
 #include "scene/images/gltf_image.h"
 #include "scene/lights.h"
 #include "scene/materials/gltf_material.h"
+#include "scene/meshes/draco_mesh.h"
 #include "scene/meshes/mesh_library.h"
 #include "scene/meshes/tangents.h"
 #include "scene/nodes/gltf_camera.h"
@@ -113,7 +114,8 @@ Scene loadGltf(const std::filesystem::path& file, Log& log, const LoadOptions& o
 
 Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem::path& name, const AssetFolder& folder,
                          Log& log, const LoadOptions& options) {
-  const GltfDocument document = readDocument(bytes, name, folder, log);
+  GltfDocument document = readDocument(bytes, name, folder, log);
+  decodeDracoMeshes(document, log);
   const std::vector<PlacedNode> nodes = placeNodes(document);
   MeshLibrary library(document, log);
   std::vector<MeshInstance> instances = library.instances(nodes);
@@ -124,7 +126,7 @@ Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem
   Scene scene;
   scene.file = name;
   assembleGeometry(instances, scene, document.source.name(), log);
-  scene.texels = loadTexels(document, set);
+  scene.texels = loadTexels(document, set, log);
   scene.textures = std::move(set.textures);
   scene.materials = std::move(set.materials);
   scene.materialNames = std::move(set.names);

@@ -38,7 +38,7 @@ struct Scene {
   std::vector<Material> materials;  // at least one: the glTF default material stands last if it is used
   std::vector<std::string> materialNames;
   std::vector<Texture> textures;
-  std::vector<uint> texels;           // RGBA8
+  std::vector<uint> texels;           // RGBA8, or RGBA16 (Texture::isDeep)
   std::vector<Light> lights;          // emissive triangles, punctual lights, environment
   std::vector<uint> lightOfTriangle;  // kNone where a triangle emits nothing; empty if no triangle emits
   std::vector<Camera> cameras;

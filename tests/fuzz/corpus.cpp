@@ -1,4 +1,5 @@
-/// Writes the first inputs of the fuzzers: importon_fuzz_corpus GLTF_FOLDER EXR_FOLDER.
+/// Writes the first inputs of the fuzzers: importon_fuzz_corpus FOLDER, which has a
+/// folder for each.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -12,6 +13,8 @@
 #include <vector>
 
 #include "loader/everything.h"
+#include "loader/image_builder.h"
+#include "loader/pack_builder.h"
 
 namespace {
 
@@ -66,18 +69,64 @@ void writeHdrs(const std::filesystem::path& folder) {
   }
 }
 
+void writeImages(const std::filesystem::path& folder) {
+  using namespace importon::test;
+  const Bytes rgb(192, 100);
+  write(folder / "rgba.png", makePng(4, 4, Bytes(64, 100)));
+  write(folder / "deep.png", makePng({.width = 2, .bitDepth = 16, .colorType = 2}, Bytes(12, 100)));
+  write(folder / "palette.png",
+        makePng({.width = 2, .colorType = 3, .palette = {1, 2, 3, 4, 5, 6}, .transparency = {7}}, {0, 1}));
+  write(folder / "interlaced.png", makeInterlacedPng(9, 9, Bytes(81, 100)));
+  write(folder / "baseline.jpg", makeJpeg(8, 8, rgb));
+  write(folder / "progressive.jpg", makeJpeg(8, 8, rgb, JpegKind::progressive));
+  write(folder / "arithmetic.jpg", makeJpeg(8, 8, rgb, JpegKind::arithmetic));
+  write(folder / "inks.jpg", makeJpeg(8, 6, rgb, JpegKind::inks));
+  write(folder / "adobe.jpg", makeJpeg(8, 6, rgb, JpegKind::adobeInks));
+  write(folder / "lossless.webp", makeWebp(4, 4, Bytes(64, 100)));
+  write(folder / "lossy.webp", makeWebp(4, 4, Bytes(64, 100), false));
+  write(folder / "eight.avif", makeAvif(8, {200, 100, 50, 255}));
+  write(folder / "ten.avif", makeAvif(8, {1000, 500, 250, 600}, 10));
+}
+
+/// Behind the three bytes that geometry_fuzzer.cpp wants.
+void writeGeometry(const std::filesystem::path& folder) {
+  using namespace importon::test;
+  const auto writeWith = [&](const char* name, Bytes head, const Bytes& stream) {
+    head.insert(head.end(), stream.begin(), stream.end());
+    write(folder / name, head);
+  };
+  const PlainMesh mesh{.positions = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}},
+                       .uvs = {{0, 0}, {1, 0}, {0, 1}, {1, 1}},
+                       .indices = {0, 1, 2, 2, 1, 3}};
+  writeWith("sequential", {0, 4, 2}, encodeDraco(mesh, DracoMethod::sequential));
+  writeWith("edgebreaker", {0, 4, 2}, encodeDraco(mesh, DracoMethod::edgebreaker));
+  const std::uint32_t values[] = {0, 1, 2, 2, 1, 3};
+  const char* modes[] = {"ATTRIBUTES", "TRIANGLES", "INDICES"};
+  for (unsigned char mode = 0; mode < 3; ++mode) {
+    GltfBuilder builder;
+    addMeshoptView(builder, values, 6, 4, modes[mode]);
+    for (unsigned char filter = 0; filter < 4; ++filter) {
+      const unsigned char kind = static_cast<unsigned char>(1 + mode + 3 * filter);
+      writeWith(("meshopt" + std::to_string(kind)).c_str(), {kind, 6, 4}, builder.binary);
+    }
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) return 1;
-  const std::filesystem::path gltf = argv[1], exr = argv[2], hdr = argv[3];
+  if (argc != 2) return 1;
+  const std::filesystem::path folder = argv[1], gltf = folder / "loader", exr = folder / "exr";
   write(gltf / "everything.glb", importon::test::everything().glb());
   write(gltf / "everything.gltf", importon::test::everything().gltf());
+  write(gltf / "packed.glb", importon::test::packedFile().glb());
+  writeImages(folder / "image");
+  writeGeometry(folder / "geometry");
   write(gltf / "triangle.gltf", importon::test::GltfBuilder::emissiveTriangle().gltf());
   for (int i = 0; i < Imf::NUM_COMPRESSION_METHODS; ++i)
     for (const bool isTiled : {false, true})
       writeExr(exr / (std::to_string(i) + (isTiled ? "t.exr" : "s.exr")), static_cast<Imf::Compression>(i), isTiled);
   writeLuminanceChroma(exr / "yc.exr");
-  writeHdrs(hdr);
+  writeHdrs(folder / "hdr");
   return 0;
 }

@@ -15,7 +15,9 @@ Scene sceneOf(const std::vector<glm::vec3>& positions, const std::vector<std::ui
   GltfBuilder builder;
   const int position = builder.addPositions(positions), index = builder.addIndices(indices);
   builder.addMesh({{"attributes", {{"POSITION", position}}}, {"indices", index}});
-  return load(builder);
+  Log log(Log::Verbosity::quiet);
+  const Bytes bytes = builder.glb();
+  return loadGltfFromMemory(asBytes(bytes), "test.glb", {}, log, {.light = LightChoice::studio});
 }
 
 Scene boxAround(const glm::vec3& centre, const glm::vec3& half) {

@@ -96,6 +96,10 @@ Bytes GltfBuilder::glb() const {
   Json document = json;
   const bool needsBuffer = document.is_object() && !document.contains("buffers") && !binary.empty();
   if (needsBuffer) document["buffers"] = Json::array({{{"byteLength", binary.size()}}});
+  if (needsBuffer && fallbackBytes != 0) {
+    document["buffers"].push_back(
+        {{"byteLength", fallbackBytes}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
+  }
   return makeGlb(document.dump(), binary);
 }
 

@@ -60,6 +60,7 @@ class GltfBuilder {
 
   Json json;
   Bytes binary;
+  std::size_t fallbackBytes = 0;  // of a second buffer that only stands in for compressed views; 0: none
 };
 
 }  // namespace importon::test

@@ -7,6 +7,7 @@
 
 #include "loader/image_builder.h"
 #include "loader/load.h"
+#include "loader/pack_builder.h"
 
 namespace importon::test {
 namespace {
@@ -78,6 +79,31 @@ TEST(HostileFile, ImageOfTenGigapixelsInAHundredBytes) {
   EXPECT_LT(png.size(), 100u);
   builder.json["materials"][0]["emissiveTexture"]["index"] = builder.addTexture(png);
   expectRefusedCheaply(builder, "/images/0");
+}
+
+TEST(HostileFile, DracoDataThatDeclareBillionsInAFewBytes) {
+  const PlainMesh mesh{.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .indices = {0, 1, 2}};
+  constexpr std::size_t kHeaderBytes = 11;
+  for (const DracoMethod method : {DracoMethod::sequential, DracoMethod::edgebreaker}) {
+    GltfBuilder builder = GltfBuilder::emissiveTriangle();
+    Json& extension = addDracoMesh(builder, mesh, method)["extensions"]["KHR_draco_mesh_compression"];
+    Bytes stream = encodeDraco(mesh, method);
+    const Bytes billions = {0xFF, 0xFF, 0xFF, 0xFF, 0x03};  // 2^30 - 1, as a varint
+    const std::size_t counts = kHeaderBytes + (method == DracoMethod::edgebreaker ? 1 : 0);
+    stream.erase(stream.begin() + counts, stream.begin() + counts + 2);
+    for (int i = 0; i < 2; ++i) stream.insert(stream.begin() + counts, billions.begin(), billions.end());
+    extension["bufferView"] = builder.addView(stream.data(), stream.size());
+    expectRefusedCheaply(builder, "the Draco data declare 1073741823 triangles");
+  }
+}
+
+TEST(HostileFile, MeshoptDataThatDeclareBillionsInAFewBytes) {
+  const std::vector<glm::vec3> positions(3);
+  GltfBuilder builder = GltfBuilder::emissiveTriangle();
+  const int view = addMeshoptView(builder, positions.data(), 3, 12);
+  builder.json["bufferViews"][view]["extensions"]["EXT_meshopt_compression"]["count"] = 2000000000;
+  builder.json["accessors"][0]["bufferView"] = view;
+  expectRefusedCheaply(builder, "2000000000 elements of 12 bytes cannot come of");
 }
 
 TEST(HostileFile, DataUrisOfNonsense) {

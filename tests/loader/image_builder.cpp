@@ -1,5 +1,8 @@
 #include "loader/image_builder.h"
 
+#include <avif/avif.h>
+#include <webp/encode.h>
+
 #include <cstdlib>
 
 // jpeglib.h needs FILE.
@@ -56,15 +59,22 @@ Bytes deflateStored(const Bytes& data) {
   return zlib;
 }
 
-}  // namespace
-
-Bytes makePng(const PngHeader& header, const Bytes& samples) {
+Bytes pngHead(const PngHeader& header, bool isInterlaced) {
   Bytes png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
   Bytes head;
   appendBigEndian(head, header.width);
   appendBigEndian(head, header.height);
-  head.insert(head.end(), {header.bitDepth, header.colorType, 0, 0, 0});
+  head.insert(head.end(), {header.bitDepth, header.colorType, 0, 0, static_cast<unsigned char>(isInterlaced ? 1 : 0)});
   appendChunk(png, "IHDR", head);
+  return png;
+}
+
+}  // namespace
+
+Bytes makePng(const PngHeader& header, const Bytes& samples) {
+  Bytes png = pngHead(header, false);
+  if (!header.palette.empty()) appendChunk(png, "PLTE", header.palette);
+  if (!header.transparency.empty()) appendChunk(png, "tRNS", header.transparency);
   const std::size_t rowBytes = samples.size() / header.height;
   Bytes rows;
   for (std::size_t row = 0; row * rowBytes < samples.size(); ++row) {
@@ -72,6 +82,26 @@ Bytes makePng(const PngHeader& header, const Bytes& samples) {
     const auto first = samples.begin() + static_cast<std::ptrdiff_t>(row * rowBytes);
     rows.insert(rows.end(), first, first + static_cast<std::ptrdiff_t>(rowBytes));
   }
+  appendChunk(png, "IDAT", deflateStored(rows));
+  appendChunk(png, "IEND", {});
+  return png;
+}
+
+Bytes makeInterlacedPng(std::uint32_t width, std::uint32_t height, const Bytes& grey) {
+  struct Pass {
+    unsigned x, y, stepX, stepY;
+  };
+  constexpr Pass kAdam7[] = {{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4},
+                             {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};  // PNG, section 8.2
+  Bytes rows;
+  for (const Pass& pass : kAdam7) {
+    if (pass.x >= width) continue;
+    for (unsigned y = pass.y; y < height; y += pass.stepY) {
+      rows.push_back(0);
+      for (unsigned x = pass.x; x < width; x += pass.stepX) rows.push_back(grey[y * width + x]);
+    }
+  }
+  Bytes png = pngHead({.width = width, .height = height, .colorType = 0}, true);
   appendChunk(png, "IDAT", deflateStored(rows));
   appendChunk(png, "IEND", {});
   return png;
@@ -109,6 +139,44 @@ Bytes makeJpeg(unsigned width, unsigned height, const Bytes& samples, JpegKind k
   jpeg_destroy_compress(&jpeg);
   Bytes bytes(data, data + size);
   std::free(data);
+  return bytes;
+}
+
+Bytes makeWebp(int width, int height, const Bytes& rgba, bool isLossless) {
+  std::uint8_t* data = nullptr;
+  const std::size_t size = isLossless ? WebPEncodeLosslessRGBA(rgba.data(), width, height, 4 * width, &data)
+                                      : WebPEncodeRGBA(rgba.data(), width, height, 4 * width, 100, &data);
+  Bytes bytes(data, data + size);
+  WebPFree(data);
+  return bytes;
+}
+
+Bytes makeAvif(std::uint32_t side, std::array<unsigned, 4> rgba, std::uint32_t bits) {
+  avifImage* image =
+      avifImageCreate(static_cast<int>(side), static_cast<int>(side), static_cast<int>(bits), AVIF_PIXEL_FORMAT_YUV444);
+  image->matrixCoefficients = AVIF_MATRIX_COEFFICIENTS_IDENTITY;
+  avifRGBImage rgb;
+  avifRGBImageSetDefaults(&rgb, image);
+  std::vector<std::uint16_t> wide;
+  Bytes narrow;
+  for (std::uint32_t i = 0; i < 4 * side * side; ++i) {
+    wide.push_back(static_cast<std::uint16_t>(rgba[i % 4]));
+    narrow.push_back(static_cast<unsigned char>(rgba[i % 4]));
+  }
+  rgb.pixels = bits > 8 ? reinterpret_cast<std::uint8_t*>(wide.data()) : narrow.data();
+  rgb.rowBytes = side * (bits > 8 ? 8 : 4);
+  avifImageRGBToYUV(image, &rgb);
+  avifEncoder* encoder = avifEncoderCreate();
+  encoder->minQuantizer = encoder->maxQuantizer = AVIF_QUANTIZER_LOSSLESS;
+  encoder->minQuantizerAlpha = encoder->maxQuantizerAlpha = AVIF_QUANTIZER_LOSSLESS;
+  encoder->speed = AVIF_SPEED_FASTEST;
+  avifRWData output = AVIF_DATA_EMPTY;
+  const bool isEncoded = avifEncoderWrite(encoder, image, &output) == AVIF_RESULT_OK;
+  Bytes bytes;
+  if (isEncoded) bytes.assign(output.data, output.data + output.size);
+  avifRWDataFree(&output);
+  avifEncoderDestroy(encoder);
+  avifImageDestroy(image);
   return bytes;
 }
 

@@ -203,10 +203,10 @@ const Malformed kMeaning[] = {
      "last row", "/nodes/0/matrix"},
     {"UnknownRequiredExtension",
      [](B& b) {
-       b.json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
-       b.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+       b.json["extensionsUsed"] = {"EXT_nobody_knows"};
+       b.json["extensionsRequired"] = {"EXT_nobody_knows"};
      },
-     "requires the extension KHR_draco_mesh_compression", "/extensionsRequired/0"},
+     "requires the extension EXT_nobody_knows", "/extensionsRequired/0"},
     {"ExtensionsRequiredIsText", [](B& b) { b.json["extensionsRequired"] = "KHR_x"; }, "expected an array of strings",
      "/extensionsRequired"},
     {"EnvironmentWithoutRadiance",

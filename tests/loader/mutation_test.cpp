@@ -5,6 +5,7 @@
 
 #include "loader/everything.h"
 #include "loader/load.h"
+#include "loader/pack_builder.h"
 
 namespace importon::test {
 namespace {
@@ -80,9 +81,8 @@ TEST(Mutation, DamagedGltfNeverCrashes) {
   EXPECT_LT(scenes, kCopies);
 }
 
-TEST(Mutation, DamagedDataNeverCrashes) {
-  const GltfBuilder builder = everything();
-  std::mt19937 random(3);
+void loadWithDamagedData(const GltfBuilder& builder, unsigned seed) {
+  std::mt19937 random(seed);
   testing::internal::CaptureStderr();
   for (int i = 0; i < kCopies; ++i) {
     GltfBuilder copy = builder;
@@ -91,6 +91,13 @@ TEST(Mutation, DamagedDataNeverCrashes) {
     (void)errorOf(copy);
   }
   testing::internal::GetCapturedStderr();
+}
+
+TEST(Mutation, DamagedDataNeverCrashes) { loadWithDamagedData(everything(), 3); }
+
+TEST(Mutation, DamagedPackedDataNeverCrashes) {
+  EXPECT_EQ(errorOf(packedFile()), "");
+  loadWithDamagedData(packedFile(), 4);
 }
 
 /// All members and elements of a document, by JSON pointer.
@@ -103,8 +110,7 @@ void collect(const Json& value, const Json::json_pointer& place, std::vector<Jso
   }
 }
 
-TEST(Mutation, NoMemberOfTheWrongKindCrashes) {
-  const GltfBuilder builder = everything();
+void loadWithWrongKinds(const GltfBuilder& builder) {
   std::vector<Json::json_pointer> places;
   collect(builder.json, Json::json_pointer(), places);
   const Json kinds[] = {nullptr,
@@ -131,6 +137,11 @@ TEST(Mutation, NoMemberOfTheWrongKindCrashes) {
     }
   }
   testing::internal::GetCapturedStderr();
+}
+
+TEST(Mutation, NoMemberOfTheWrongKindCrashes) {
+  loadWithWrongKinds(everything());
+  loadWithWrongKinds(packedFile());
 }
 
 }  // namespace

@@ -104,6 +104,26 @@ TEST(Texture, AnImageIsKeptOnceForAllItsUses) {
   for (const Texture& texture : scene.textures) EXPECT_EQ(texture.firstTexel, 0u);
 }
 
+TEST(Texture, SixteenBitsAreKeptForQuantitiesOnly) {
+  const Bytes png = makePng({.bitDepth = 16}, {0x12, 0x34, 0x56, 0x78, 0x9A, 0xBC, 0xDE, 0xF0});
+  GltfBuilder builder = textured();
+  const int deep = builder.addTexture(png), cut = builder.addTexture(png);
+  Json& material = builder.json["materials"][0];
+  material["normalTexture"]["index"] = deep;
+  material["pbrMetallicRoughness"]["metallicRoughnessTexture"]["index"] = deep;
+  material["emissiveTexture"]["index"] = cut;
+  const Scene scene = load(builder);
+  const Texture& normal = scene.textures[scene.materials[0].normalTexture];
+  EXPECT_EQ(normal.isDeep, 1u);
+  EXPECT_EQ(scene.texels[normal.firstTexel], 0x56781234u);
+  EXPECT_EQ(scene.texels[normal.firstTexel + 1], 0xDEF09ABCu);
+  EXPECT_EQ(scene.materials[0].metallicRoughnessTexture, scene.materials[0].normalTexture);
+  const Texture& emission = scene.textures[scene.materials[0].emissiveTexture];
+  EXPECT_EQ(emission.isDeep, 0u);
+  EXPECT_EQ(scene.texels[emission.firstTexel], 0xDE9A5612u);
+  EXPECT_EQ(scene.textures[scene.materials[0].baseColorTexture].isDeep, 0u);
+}
+
 TEST(Texture, UnusedImagesAreNotDecoded) {
   GltfBuilder builder = textured();
   builder.addTexture(toBytes("no image at all"));
@@ -157,11 +177,27 @@ TEST(TextureSampling, TheMeanOverATriangleIsThatOfItsFootprint) {
   TwoTexels image;
   const auto mean = [&](const vec2(&uv)[3]) {
     const TriangleTexture onTriangle(image.texture, image.texels, uv);
-    return vec3(meanOverTriangle(onTriangle.samplesPerSide(), [&](float u, float v) { return vec3(onTriangle.at(u, v)); }));
+    return vec3(
+        meanOverTriangle(onTriangle.samplesPerSide(), [&](float u, float v) { return vec3(onTriangle.at(u, v)); }));
   };
   EXPECT_LT(glm::length(mean({{0, 0}, {0.5f, 0}, {0, 1}}) - vec3(1, 0, 0)), 1e-6f);
   EXPECT_LT(glm::length(mean({{0, 0}, {64, 0}, {0, 1}}) - vec3(0.5f, 0, 0.5f)), 0.02f);
   EXPECT_LT(glm::length(mean({{0.75f, 0}, {0.75f, 0}, {0.75f, 0}}) - vec3(0, 0, 1)), 1e-6f);
+}
+
+TEST(TextureSampling, DeepTexelsHoldTwoWords) {
+  Texture texture{};
+  texture.isDeep = 1;
+  texture.firstTexel = 1;
+  texture.width = 2;
+  texture.height = 1;
+  const std::vector<uint> texels = {0, 0, 0, 0x8000FFFFu, 0xFFFF4000u};
+  const vec4 color = texelAt(texture, texels, 1);
+  EXPECT_EQ(color.x, 1.0f);
+  EXPECT_NEAR(color.y, 32768.0 / 65535, 1e-6);
+  EXPECT_NEAR(color.z, 16384.0 / 65535, 1e-6);
+  texture.isSrgb = 1;
+  EXPECT_NEAR(texelAt(texture, texels, 1).y, 0.214053, 1e-4);
 }
 
 TEST(TextureSampling, ColoursAreDecodedFromSrgb) {

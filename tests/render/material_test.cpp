@@ -94,6 +94,25 @@ TEST_F(Materials, TexturesInSrgbAreDecoded) {
   }
 }
 
+/// 16 bits of each channel: eight would be off by up to 0.002.
+TEST_F(Materials, TexturesOfSixteenBitsKeepThem) {
+  Material unlit = diffuse(vec3(1.0f));
+  unlit.flags |= kMaterialUnlit;
+  Scene scene = plateBeforeLight(unlit);
+  Texture texture{};
+  texture.firstTexel = 1;
+  texture.width = 1;
+  texture.height = 2;
+  texture.isDeep = 1;
+  texture.uvRow0 = vec3(1, 0, 0);
+  texture.uvRow1 = vec3(0, 1, 0);
+  const uint value = 0x4142u, pair = value << 16 | value;
+  scene.texels = {0, pair, 0xFFFF0000u | value, pair, 0xFFFF0000u | value};
+  scene.textures = {texture};
+  scene.materials[0].baseColorTexture = 0;
+  EXPECT_TRUE(isConstant(renderScene(jobOf(1), scene).image, value / 65535.0, 1e-6));
+}
+
 /// Of a rough plate near a light, each technique finds a good part of the light; the weights know the number of lights.
 TEST_F(Materials, ALightCutIntoManyShinesAsOne) {
   const auto shine = [](int cells) {

@@ -39,6 +39,7 @@ std::vector<uvec4> packTextures(const Scene& scene) {
     texels[4 * i] = uvec4(t.firstTexel, t.width, t.height, t.wrapS);
     texels[4 * i + 1] = uvec4(t.wrapT, t.isNearest, t.isSrgb, t.uvSet);
     std::memcpy(&texels[4 * i + 2], rows, sizeof rows);
+    texels[4 * i + 3].z = t.isDeep;
   }
   return texels;
 }

@@ -22,10 +22,11 @@ bool reflects(const Material& m) {
 float leastRoughness(const Scene& scene, uint texture) {
   if (texture == kNone) return 1;
   const Texture& t = scene.textures[texture];
-  uint least = 255;
+  const uint words = t.isDeep != 0 ? 2u : 1u, shift = t.isDeep != 0 ? 16u : 8u, most = t.isDeep != 0 ? 65535u : 255u;
+  uint least = most;
   for (std::size_t i = 0; i < std::size_t{t.width} * t.height; ++i)
-    least = std::min(least, (scene.texels[t.firstTexel + i] >> 8) & 255u);
-  return static_cast<float>(least) / 255.0f;
+    least = std::min(least, (scene.texels[t.firstTexel + i * words] >> shift) & most);
+  return static_cast<float>(least) / static_cast<float>(most);
 }
 
 bool mayBeSmooth(const Scene& scene, const Material& m) {
@@ -97,6 +98,12 @@ const std::array kFeatures{
     FeatureEntry{"textures", &F::hasTextures, kSpecHasTextures, kScene,
                  [](S scene, J) { return anyMaterial(scene, usesTextures); }, "a material uses a texture",
                  "no material uses a texture"},
+    FeatureEntry{"deep textures", &F::hasDeepTextures, kSpecHasDeepTextures, kScene,
+                 [](S scene, J) {
+                   return std::any_of(scene.textures.begin(), scene.textures.end(),
+                                      [](const Texture& t) { return t.isDeep != 0; });
+                 },
+                 "a texture has 16 bits a channel", "textures have 8 bits a channel"},
     FeatureEntry{"normal maps", &F::hasNormalMaps, kSpecHasNormalMaps, kScene,
                  [](S scene, J) {
                    return anyMaterial(

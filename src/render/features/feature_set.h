@@ -14,7 +14,7 @@ namespace importon {
 struct FeatureSet {
   bool hasAlpha = false, hasTextures = false, hasNormalMaps = false, hasVertexColors = false, hasReflection = false,
        hasTransmission = false, hasMedia = false, hasClearcoat = false, hasTriangleLights = false, hasCutLights = false,
-       hasPunctualLights = false, hasEnvironment = false;
+       hasPunctualLights = false, hasEnvironment = false, hasDeepTextures = false;
   bool needsCausticMap = false, readsCells = false, needsGlobalMap = false;
   uint pixelFilter = 0;        // kFilter*
   bool hasBackground = false;  // the camera sees another background than the environment

@@ -8,6 +8,7 @@
 #include "scene/container/gltf_advice.h"
 #include "scene/container/gltf_container.h"
 #include "scene/container/gltf_extensions.h"
+#include "scene/container/gltf_json.h"
 #include "scene/container/gltf_resources.h"
 #include "scene/container/gltf_schema.h"
 
@@ -36,7 +37,7 @@ void checkVersion(const nlohmann::json& document, const GltfSource& source) {
   }
 }
 
-/// Buffer views must lie in their buffers: tinygltf 2.7 hands images out of them without looking.
+/// Buffer views must lie in their buffers.
 void checkBufferViews(const nlohmann::json& document, const GltfSource& source) {
   if (!document.contains("bufferViews")) return;
   const nlohmann::json& views = document["bufferViews"];
@@ -52,39 +53,40 @@ void checkBufferViews(const nlohmann::json& document, const GltfSource& source) 
   }
 }
 
-/// Hands over the next resource, whatever the name.
-bool takeResource(std::vector<unsigned char>* bytes, std::string*, const std::string&, void* userData) {
-  auto& resources = *static_cast<GltfResources*>(userData);
-  if (resources.empty()) return false;
-  *bytes = std::move(resources.front());
-  resources.pop_front();
-  return true;
+/// What tinygltf reads: all but the bytes, which it would decode its own way, and the indices of primitives, which it
+/// refuses where they have no buffer view, as compressed ones.
+nlohmann::json structureOf(const nlohmann::json& document) {
+  nlohmann::json structure = nlohmann::json::object();
+  for (const auto& [key, value] : document.items()) {
+    if (key != "buffers" && key != "images") structure[key] = value;
+  }
+  if (!structure.contains("meshes")) return structure;
+  for (nlohmann::json& mesh : structure["meshes"]) {
+    for (nlohmann::json& primitive : mesh["primitives"]) primitive.erase("indices");
+  }
+  return structure;
 }
 
-/// Keeps the bytes of an image with a URI as they are; those in a buffer view stay there.
-bool keepImageBytes(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
-                    int size, void*) {
-  if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
-  return true;
+void addIndices(const nlohmann::json& document, tinygltf::Model& model) {
+  for (std::size_t m = 0; m < model.meshes.size(); ++m) {
+    const nlohmann::json& primitives = document["meshes"][m]["primitives"];
+    for (std::size_t p = 0; p < model.meshes[m].primitives.size(); ++p) {
+      model.meshes[m].primitives[p].indices = integerOr(primitives[p], "indices", -1);
+    }
+  }
 }
 
-/// tinygltf sees no file system: what it may read lies in `resources`.
-tinygltf::Model parseModel(std::span<const std::byte> bytes, const GltfContainer& container, GltfResources& resources,
-                           const GltfSource& source) {
+/// tinygltf sees no file system.
+tinygltf::Model parseModel(const nlohmann::json& document, const GltfSource& source) {
   tinygltf::TinyGLTF parser;
-  parser.SetImageLoader(keepImageBytes, nullptr);
-  parser.SetFsCallbacks({[](const std::string&, void*) { return true; },
-                         [](const std::string& name, void*) { return name; }, takeResource, nullptr, &resources});
   tinygltf::Model model;
   std::string error;
   std::string warning;
   bool isLoaded = false;
   try {
-    isLoaded = container.isBinary ? parser.LoadBinaryFromMemory(&model, &error, &warning,
-                                                                reinterpret_cast<const unsigned char*>(bytes.data()),
-                                                                static_cast<unsigned>(bytes.size()))
-                                  : parser.LoadASCIIFromString(&model, &error, &warning, container.json.data(),
-                                                               static_cast<unsigned>(container.json.size()), "");
+    const std::string text = structureOf(document).dump();
+    isLoaded =
+        parser.LoadASCIIFromString(&model, &error, &warning, text.data(), static_cast<unsigned>(text.size()), "");
   } catch (const std::exception& exception) {
     error = exception.what();
   }
@@ -92,6 +94,7 @@ tinygltf::Model parseModel(std::span<const std::byte> bytes, const GltfContainer
     throw SceneError(fmt::format("malformed glTF: {}", printable(error.substr(0, error.find('\n')))), source.name(),
                      kExportAgain);
   }
+  addIndices(document, model);
   return model;
 }
 
@@ -99,7 +102,7 @@ tinygltf::Model parseModel(std::span<const std::byte> bytes, const GltfContainer
 
 GltfDocument readDocument(std::span<const std::byte> bytes, const std::filesystem::path& name,
                           const AssetFolder& folder, Log& log) {
-  GltfDocument document{GltfSource(printable(name.string(), 4096)), {}, {}};
+  GltfDocument document{GltfSource(printable(name.string(), 4096)), folder, {}, {}};
   const GltfSource& source = document.source;
   const GltfContainer container = readContainer(bytes, source);
   document.json = parseJson(container.json, source);
@@ -108,9 +111,10 @@ GltfDocument readDocument(std::span<const std::byte> bytes, const std::filesyste
   checkSchema(json, source);
   checkExtensions(json, source, log);
   checkBufferViews(json, source);
-  const std::size_t chunkBytes = container.binaryChunk ? container.binaryChunk->size() : 0;
-  GltfResources resources = readResources(json, chunkBytes, folder, source);
-  document.model = parseModel(bytes, container, resources, source);
+  document.model = parseModel(json, source);
+  for (std::vector<unsigned char>& data : readBuffers(json, container.binaryChunk, folder, source, log)) {
+    document.model.buffers.emplace_back().data = std::move(data);
+  }
   return document;
 }
 

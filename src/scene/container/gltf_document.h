@@ -4,8 +4,10 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <vector>
 
 #include "base/log.h"
 #include "scene/container/gltf_source.h"
@@ -13,13 +15,15 @@
 
 namespace importon {
 
-/// Every index in the model is valid, every buffer view lies in its buffer, and images hold their undecoded
-/// bytes (Image::image, or in their buffer view). The JSON is for what the model lacks or bends: materials,
-/// extensions and extras, whose integers tinygltf 2.7 cuts to 32 bits.
+/// Every index in the model is valid, and every buffer view lies in its buffer (as byteLength says: stand-ins of
+/// compressed views have no bytes). The model has no images. The JSON is for what the model lacks or bends: images,
+/// materials, extensions and extras, whose integers tinygltf 2.7 cuts to 32 bits.
 struct GltfDocument {
   GltfSource source;
+  AssetFolder folder;  // of external files
   nlohmann::json json;
   tinygltf::Model model;
+  mutable std::map<std::size_t, std::vector<unsigned char>> decodedViews{};  // of viewBytes
 };
 
 /// Parses and checks. Throws SceneError.

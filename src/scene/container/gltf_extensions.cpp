@@ -11,11 +11,13 @@
 namespace importon {
 namespace {
 
-constexpr std::array<std::string_view, 12> kKnownExtensions = {
-    "EXT_lights_image_based",  "KHR_lights_environment",          "KHR_lights_punctual",
-    "KHR_materials_clearcoat", "KHR_materials_emissive_strength", "KHR_materials_ior",
-    "KHR_materials_specular",  "KHR_materials_transmission",      "KHR_materials_unlit",
-    "KHR_materials_volume",    "KHR_mesh_quantization",           "KHR_texture_transform"};
+constexpr std::array<std::string_view, 18> kKnownExtensions = {
+    "EXT_lights_image_based",  "KHR_lights_environment",  "EXT_meshopt_compression",
+    "EXT_texture_avif",        "EXT_texture_webp",        "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",     "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
+    "KHR_materials_ior",       "KHR_materials_specular",  "KHR_materials_transmission",
+    "KHR_materials_unlit",     "KHR_materials_volume",    "KHR_mesh_quantization",
+    "KHR_meshopt_compression", "KHR_texture_basisu",      "KHR_texture_transform"};
 
 bool isKnown(std::string_view name) {
   return std::find(kKnownExtensions.begin(), kKnownExtensions.end(), name) != kKnownExtensions.end();

@@ -2,137 +2,116 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "base/error.h"
 #include "scene/container/gltf_advice.h"
-#include "scene/container/uri.h"
+#include "scene/container/gltf_json.h"
+#include "scene/container/meshopt_decode.h"
 
 namespace importon {
 namespace {
 
 using Json = nlohmann::json;
+using Bytes = std::vector<unsigned char>;
 
-/// The media types that tinygltf 2.7 recognises; it takes any other data URI for a file name.
-constexpr std::array<std::string_view, 7> kMediaTypes = {"application/octet-stream",
-                                                         "application/gltf-buffer",
-                                                         "image/jpeg",
-                                                         "image/png",
-                                                         "image/bmp",
-                                                         "image/gif",
-                                                         "text/plain"};
+void checkHolds(std::size_t actual, std::size_t needed, const std::string& holder, const std::string& where) {
+  if (actual >= needed) return;
+  throw SceneError(fmt::format("byteLength is {} but {} holds {} bytes", needed, holder, actual), where,
+                   "copy or export the file again; it may be cut off");
+}
 
-class Reader {
- public:
-  Reader(std::size_t binaryChunkBytes, const AssetFolder& folder, const GltfSource& source)
-      : binaryChunkBytes_(binaryChunkBytes), folder_(folder), source_(source) {}
-
-  void readBuffer(const Json& buffer, std::size_t index) {
-    const std::string where = source_.at(fmt::format("/buffers/{}", index));
-    const auto byteLength = buffer["byteLength"].get<std::size_t>();
-    if (!buffer.contains("uri")) {
-      if (binaryChunkBytes_ == 0) {
-        throw SceneError("the buffer has neither 'uri' nor a BIN chunk", where, kExportAgain);
-      }
-      checkHolds(binaryChunkBytes_, byteLength, "the BIN chunk of the .glb", where);
-      return;
-    }
+Bytes readBuffer(const Json& buffer, std::optional<std::span<const std::byte>> binaryChunk, const AssetFolder& folder,
+                 const std::string& where, Log& log) {
+  const auto byteLength = buffer["byteLength"].get<std::size_t>();
+  Bytes bytes;
+  if (buffer.contains("uri")) {
     const auto& uri = buffer["uri"].get_ref<const std::string&>();
-    if (isDataUri(uri)) {
-      const std::size_t bytes = dataUriBytes(uri, where);
-      if (bytes == byteLength) return;
-      throw SceneError(fmt::format("byteLength is {} but the data URI holds {} bytes", byteLength, bytes), where,
-                       kExportAgain);
+    try {
+      bytes = readUri(uri, folder, where + "/uri", log);
+    } catch (const MissingFileError&) {
+      if (isMeshoptFallback(buffer)) return bytes;
+      throw;
     }
-    std::vector<unsigned char>& bytes = readExternal(uri, where + "/uri");
-    checkHolds(bytes.size(), byteLength, fmt::format("'{}'", printable(uri)), where);
+    checkHolds(bytes.size(), byteLength, isDataUri(uri) ? "the data URI" : fmt::format("'{}'", printable(uri)), where);
     bytes.resize(byteLength);
+  } else if (isMeshoptFallback(buffer)) {
+    return bytes;
+  } else if (!binaryChunk || binaryChunk->empty()) {
+    throw SceneError("the buffer has neither 'uri' nor a BIN chunk", where, kExportAgain);
+  } else {
+    checkHolds(binaryChunk->size(), byteLength, "the BIN chunk of the .glb", where);
+    const auto* first = reinterpret_cast<const unsigned char*>(binaryChunk->data());
+    bytes.assign(first, first + byteLength);
   }
+  return bytes;
+}
 
-  void readImage(const Json& image, std::size_t index) {
-    const std::string where = source_.at(fmt::format("/images/{}", index));
-    const bool hasUri = image.contains("uri");
-    if (hasUri == image.contains("bufferView")) {
-      throw SceneError("an image needs either 'uri' or 'bufferView'", where, kExportAgain);
-    }
-    if (!hasUri) return;
-    const auto& uri = image["uri"].get_ref<const std::string&>();
-    if (!isDataUri(uri)) {
-      readExternal(uri, where + "/uri");
-    } else if (dataUriBytes(uri, where + "/uri") == 0) {
-      throw SceneError("the data URI is empty", where + "/uri", kExportAgain);
-    }
-  }
-
-  GltfResources take() { return std::move(resources_); }
-
- private:
-  static void checkHolds(std::size_t actual, std::size_t needed, const std::string& holder, const std::string& where) {
-    if (actual >= needed) return;
-    throw SceneError(fmt::format("byteLength is {} but {} holds {} bytes", needed, holder, actual), where,
-                     "copy or export the file again; it may be cut off");
-  }
-
-  static std::size_t dataUriBytes(const std::string& uri, const std::string& where) {
-    const std::optional<DataUri> data = parseDataUri(uri);
-    bool isKnown = false;
-    for (const std::string_view type : kMediaTypes) isKnown = isKnown || (data && data->mediaType == type);
-    if (!isKnown) {
-      throw SceneError(fmt::format("data URI '{}' is not base64 of a known media type", printable(uri.substr(0, 40))),
-                       where, "use data:application/octet-stream;base64, image/png or image/jpeg");
-    }
-    const std::optional<std::size_t> bytes = base64DecodedSize(data->base64);
-    if (!bytes) throw SceneError("the base64 of the data URI is malformed", where, kExportAgain);
-    return *bytes;
-  }
-
-  std::vector<unsigned char>& readExternal(const std::string& uri, const std::string& where) {
-    if (folder_.path.empty()) {
-      throw SceneError(fmt::format("the file refers to '{}' but is read from memory", printable(uri)), where,
-                       "embed buffers and images");
-    }
-    const std::optional<std::filesystem::path> file = resolveUri(folder_, percentDecode(uri));
-    if (!file || (folder_.outside == OutsideFiles::refused && leadsOutside(folder_.path, *file))) {
-      throw SceneError(fmt::format("the URI '{}' leaves the folder of the file", printable(uri)), where,
+[[noreturn]] void refuse(UriFault fault, const std::string& uri, const std::string& where) {
+  const std::string name = printable(uri);
+  switch (fault) {
+    case UriFault::empty:
+      throw MissingFileError("the URI is empty", where, kExportAgain);
+    case UriFault::scheme:
+      throw MissingFileError(fmt::format("the URI '{}' begins with a scheme or a drive; only files are read", name),
+                             where, "put the file beside the glTF and name it by a relative path");
+    case UriFault::nul:
+      throw SceneError(fmt::format("the URI '{}' holds a NUL", name), where, kExportAgain);
+    default:
+      throw SceneError(fmt::format("the URI '{}' leaves the folder of the file", name), where,
                        "put the file beside the glTF and name it by a relative path, or trust the scene and use "
                        "--allow-outside-files");
-    }
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(*file, error)) {
-      throw SceneError(fmt::format("the file '{}' is missing", printable(uri)), where, "put it beside the glTF");
-    }
-    return resources_.emplace_back(readWholeFile(*file, where));
   }
-
-  std::size_t binaryChunkBytes_;
-  const AssetFolder& folder_;
-  const GltfSource& source_;
-  GltfResources resources_;
-};
+}
 
 }  // namespace
 
-GltfResources readResources(const Json& document, std::size_t binaryChunkBytes, const AssetFolder& folder,
-                            const GltfSource& source) {
-  Reader reader(binaryChunkBytes, folder, source);
-  if (document.contains("buffers")) {
-    const Json& buffers = document["buffers"];
-    for (std::size_t i = 0; i < buffers.size(); ++i) reader.readBuffer(buffers[i], i);
+std::vector<Bytes> readBuffers(const Json& document, std::optional<std::span<const std::byte>> binaryChunk,
+                               const AssetFolder& folder, const GltfSource& source, Log& log) {
+  std::vector<Bytes> buffers;
+  const Json& array = member(document, "buffers");
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    buffers.push_back(readBuffer(array[i], binaryChunk, folder, source.at(fmt::format("/buffers/{}", i)), log));
   }
-  if (document.contains("images")) {
-    const Json& images = document["images"];
-    for (std::size_t i = 0; i < images.size(); ++i) reader.readImage(images[i], i);
-  }
-  return reader.take();
+  return buffers;
 }
 
-std::vector<unsigned char> readWholeFile(const std::filesystem::path& file, const std::string& where) {
+std::filesystem::path locateFile(const std::string& uri, const AssetFolder& folder, const std::string& where) {
+  if (folder.path.empty()) {
+    throw MissingFileError(fmt::format("the file refers to '{}' but is read from memory", printable(uri)), where,
+                           "embed buffers and images");
+  }
+  const UriFile file = resolveUri(folder, uri);
+  if (file.fault != UriFault::none) refuse(file.fault, uri, where);
+  if (folder.outside == OutsideFiles::refused && leadsOutside(folder.path, file.path)) {
+    refuse(UriFault::outside, uri, where);
+  }
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file.path, error)) {
+    throw MissingFileError(fmt::format("the file '{}' is missing", printable(uri)), where, "put it beside the glTF");
+  }
+  return file.path;
+}
+
+Bytes readUri(const std::string& uri, const AssetFolder& folder, const std::string& where, Log& log) {
+  if (isDataUri(uri)) {
+    std::optional<Bytes> bytes = decodeDataUri(uri);
+    if (bytes) return std::move(*bytes);
+    throw SceneError(fmt::format("the data URI '{}' is malformed", printable(uri.substr(0, 40))), where, kExportAgain);
+  }
+  const std::filesystem::path file = locateFile(uri, folder, where);
+  if (resolveUri(folder, uri).hadBackslashes) {
+    log.warn("backslash in a URI",
+             fmt::format("{}: the backslashes of '{}' are taken for slashes", where, printable(uri)));
+  }
+  return readWholeFile(file, where);
+}
+
+Bytes readWholeFile(const std::filesystem::path& file, const std::string& where) {
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
   const std::streamoff size = stream ? static_cast<std::streamoff>(stream.tellg()) : -1;
   if (size < 0) throw SceneError("the file cannot be read", where, "check its permissions");
-  std::vector<unsigned char> bytes(static_cast<std::size_t>(size));
+  Bytes bytes(static_cast<std::size_t>(size));
   stream.seekg(0);
   if (size > 0 && !stream.read(reinterpret_cast<char*>(bytes.data()), size)) {
     throw SceneError("the file cannot be read to its end", where, "check the disk and copy the file again");

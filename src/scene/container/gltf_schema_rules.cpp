@@ -99,6 +99,9 @@ void addMeshes(std::vector<SchemaRule>& rules) {
   primitive.reference("attributes", "accessors", indexMap, true).reference("indices", "accessors");
   primitive.reference("material", "materials").count("mode", 0, false, 6).optional("targets", objects);
   primitive.reference("targets/*", "accessors", indexMap);
+  const std::string draco = "extensions/KHR_draco_mesh_compression";
+  primitive.optional(draco, object).reference(draco + "/bufferView", "bufferViews", index, true);
+  primitive.required(draco + "/attributes", object);
 }
 
 void addData(std::vector<SchemaRule>& rules) {
@@ -115,6 +118,12 @@ void addData(std::vector<SchemaRule>& rules) {
   view.reference("buffer", "buffers", index, true).count("byteOffset").count("byteLength", 1, true);
   view.count("byteStride", 4, false, 252);
   Rules(rules, "buffers/*").count("byteLength", 1, true).optional("uri", string);
+  for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+    Rules meshopt(rules, std::string("bufferViews/*/extensions/") + name);
+    meshopt.reference("buffer", "buffers", index, true).count("byteOffset").count("byteLength", 1, true);
+    meshopt.count("byteStride", 1, true, 256).count("count", 1, true);
+    meshopt.choice("mode", {"ATTRIBUTES", "TRIANGLES", "INDICES"}).optional("filter", string);
+  }
 }
 
 void addTextures(std::vector<SchemaRule>& rules) {
@@ -124,6 +133,9 @@ void addTextures(std::vector<SchemaRule>& rules) {
   sampler.count("magFilter").count("minFilter").count("wrapS").count("wrapT");
   Rules texture(rules, "textures/*");
   texture.reference("sampler", "samplers").reference("source", "images");
+  for (const char* name : {"EXT_texture_avif", "EXT_texture_webp", "KHR_texture_basisu"}) {
+    texture.reference(std::string("extensions/") + name + "/source", "images");
+  }
 }
 
 void addMaterials(std::vector<SchemaRule>& rules) {

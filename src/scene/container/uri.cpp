@@ -15,8 +15,13 @@ int hexDigit(char c) {
   return -1;
 }
 
-bool isBase64Digit(char c) {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '+' || c == '/';
+/// The six bits of a digit of base64; -1 if it is none.
+int base64Digit(char c) {
+  if (c >= 'A' && c <= 'Z') return c - 'A';
+  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+  if (c >= '0' && c <= '9') return c - '0' + 52;
+  if (c == '+') return 62;
+  return c == '/' ? 63 : -1;
 }
 
 /// "http://host", "C:..." and the like: letters, digits, '+', '-', '.' and then a colon [RFC 3986,
@@ -33,17 +38,16 @@ bool hasScheme(std::string_view uri) {
 
 bool isDataUri(std::string_view uri) { return uri.starts_with(kDataScheme); }
 
-std::optional<DataUri> parseDataUri(std::string_view uri) {
-  constexpr std::string_view kBase64 = ";base64";
+std::optional<std::vector<unsigned char>> decodeDataUri(std::string_view uri) {
   const std::size_t comma = uri.find(',');
   if (!isDataUri(uri) || comma == std::string_view::npos) return std::nullopt;
-  std::string_view head = uri.substr(kDataScheme.size(), comma - kDataScheme.size());
-  if (!head.ends_with(kBase64)) return std::nullopt;
-  head.remove_suffix(kBase64.size());
-  return DataUri{head, uri.substr(comma + 1)};
+  const std::string_view content = uri.substr(comma + 1);
+  if (uri.substr(0, comma).ends_with(";base64")) return decodeBase64(content);
+  const std::string decoded = percentDecode(content);
+  return std::vector<unsigned char>(decoded.begin(), decoded.end());
 }
 
-std::optional<std::size_t> base64DecodedSize(std::string_view base64) {
+std::optional<std::vector<unsigned char>> decodeBase64(std::string_view base64) {
   std::size_t padding = 0;
   while (padding < 2 && base64.ends_with('=')) {
     base64.remove_suffix(1);
@@ -51,8 +55,20 @@ std::optional<std::size_t> base64DecodedSize(std::string_view base64) {
   }
   const std::size_t rest = base64.size() % 4;
   if (rest == 1 || (padding != 0 && rest + padding != 4)) return std::nullopt;
-  if (!std::all_of(base64.begin(), base64.end(), isBase64Digit)) return std::nullopt;
-  return base64.size() / 4 * 3 + (rest == 0 ? 0 : rest - 1);
+  std::vector<unsigned char> bytes;
+  bytes.reserve(base64.size() / 4 * 3 + 2);
+  unsigned pending = 0;
+  int bits = 0;
+  for (const char c : base64) {
+    const int digit = base64Digit(c);
+    if (digit < 0) return std::nullopt;
+    pending = (pending << 6 | static_cast<unsigned>(digit)) & 0xFFFFu;
+    bits += 6;
+    if (bits < 8) continue;
+    bits -= 8;
+    bytes.push_back(static_cast<unsigned char>(pending >> bits & 0xFFu));
+  }
+  return bytes;
 }
 
 std::string percentDecode(std::string_view uri) {
@@ -71,14 +87,17 @@ std::string percentDecode(std::string_view uri) {
   return decoded;
 }
 
-std::optional<std::filesystem::path> resolveUri(const AssetFolder& folder, const std::string& decodedUri) {
-  const bool isNoPath = decodedUri.empty() || decodedUri.find('\0') != std::string::npos ||
-                        decodedUri.find('\\') != std::string::npos || hasScheme(decodedUri);
-  if (isNoPath) return std::nullopt;
-  const std::filesystem::path normal = std::filesystem::path(decodedUri).lexically_normal();
+UriFile resolveUri(const AssetFolder& folder, std::string_view uri) {
+  if (uri.empty()) return {UriFault::empty};
+  if (hasScheme(uri)) return {UriFault::scheme};
+  std::string decoded = percentDecode(uri);
+  if (decoded.find('\0') != std::string::npos) return {UriFault::nul};
+  const bool hadBackslashes = decoded.find('\\') != std::string::npos;
+  std::replace(decoded.begin(), decoded.end(), '\\', '/');
+  const std::filesystem::path normal = std::filesystem::path(decoded).lexically_normal();
   const bool isOutside = normal.empty() || normal.is_absolute() || *normal.begin() == "..";
-  if (isOutside && folder.outside == OutsideFiles::refused) return std::nullopt;
-  return folder.path / normal;
+  if (isOutside && folder.outside == OutsideFiles::refused) return {UriFault::outside};
+  return {UriFault::none, folder.path / normal, hadBackslashes};
 }
 
 bool leadsOutside(const std::filesystem::path& folder, const std::filesystem::path& file) {

@@ -3,33 +3,38 @@
 #include <fmt/format.h>
 
 #include <exception>
-#include <iterator>
-#include <set>
+#include <map>
 #include <span>
 
 #include "base/error.h"
 #include "base/parallel.h"
 #include "scene/images/image_decode.h"
+#include "scene/images/image_source.h"
 
 namespace importon {
 namespace {
 
-/// An image and its place among the texels.
+/// An image and its place among the texels, in words.
 struct ImageUse {
-  std::span<const unsigned char> bytes;
+  EncodedImage encoded;
   std::string where;
   ImageSize size;
-  std::size_t firstTexel = 0;
+  TexelDepth depth = TexelDepth::eight;
+  std::size_t firstWord = 0;
+  [[nodiscard]] std::size_t words() const { return size.texels() * (depth == TexelDepth::eight ? 1 : 2); }
 };
 
 /// Decodes all; of several errors the first in the file is thrown, whatever the threads do.
-void decodeAll(const std::vector<ImageUse>& images, std::vector<uint>& texels) {
+void decodeAll(const std::map<std::size_t, ImageUse>& placed, std::vector<uint>& texels) {
+  std::vector<const ImageUse*> images;
+  for (const auto& [index, image] : placed) images.push_back(&image);
   std::vector<std::exception_ptr> errors(images.size());
   parallelFor(images.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       try {
-        const ImageUse& image = images[i];
-        decodeImage(image.bytes, std::span(texels).subspan(image.firstTexel, image.size.texels()), image.where);
+        const ImageUse& image = *images[i];
+        decodeImage(image.encoded.bytes(), std::span(texels).subspan(image.firstWord, image.words()), image.where,
+                    image.depth);
       } catch (...) {
         errors[i] = std::current_exception();
       }
@@ -40,46 +45,48 @@ void decodeAll(const std::vector<ImageUse>& images, std::vector<uint>& texels) {
   }
 }
 
-/// The images that textures use, in the order of the file, one after another among the texels.
-std::vector<ImageUse> placeImages(const GltfDocument& document, const std::set<std::size_t>& indices) {
-  constexpr std::size_t kMostTexels = std::size_t{1} << 28;
-  std::vector<ImageUse> images;
-  std::size_t texelCount = 0;
-  for (const std::size_t index : indices) {
-    ImageUse image{encodedImage(document.model, index), document.source.at(fmt::format("/images/{}", index)), {}, 0};
-    image.size = readImageSize(image.bytes, image.where);
-    image.firstTexel = texelCount;
-    texelCount += image.size.texels();
-    if (texelCount > kMostTexels) {
-      throw SceneError(fmt::format("the images have more than {} texels in all", kMostTexels), image.where,
+/// By image in the file: whether what a texture reads there is a quantity and no colour, of which eyes want 8 bits.
+std::map<std::size_t, bool> usedImages(const MaterialSet& set) {
+  std::map<std::size_t, bool> isQuantity;
+  for (std::size_t t = 0; t < set.textures.size(); ++t) {
+    bool& value = isQuantity.try_emplace(set.imageOfTexture[t], false).first->second;
+    value = value || set.textures[t].isSrgb == 0;
+  }
+  return isQuantity;
+}
+
+/// The images that textures use, by index in the file, one after another among the texels.
+std::map<std::size_t, ImageUse> placeImages(const GltfDocument& document, const MaterialSet& set, Log& log) {
+  constexpr std::size_t kMostWords = std::size_t{1} << 28;
+  std::map<std::size_t, ImageUse> images;
+  std::size_t wordCount = 0;
+  for (const auto& [index, isQuantity] : usedImages(set)) {
+    ImageUse image{readEncodedImage(document, index, log), document.source.at(fmt::format("/images/{}", index)), {}};
+    image.size = readImageSize(image.encoded.bytes(), image.where);
+    if (image.size.isDeep && isQuantity) image.depth = TexelDepth::sixteen;
+    image.firstWord = wordCount;
+    wordCount += image.words();
+    if (wordCount > kMostWords) {
+      throw SceneError(fmt::format("the images have more than {} texels in all", kMostWords), image.where,
                        "reduce the images");
     }
-    images.push_back(std::move(image));
+    images.emplace(index, std::move(image));
   }
   return images;
 }
 
 }  // namespace
 
-std::span<const unsigned char> encodedImage(const tinygltf::Model& model, std::size_t image) {
-  const tinygltf::Image& source = model.images[image];
-  if (source.bufferView < 0) return source.image;
-  const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(source.bufferView)];
-  const std::vector<unsigned char>& buffer = model.buffers[static_cast<std::size_t>(view.buffer)].data;
-  return std::span(buffer).subspan(view.byteOffset, view.byteLength);
-}
-
-std::vector<uint> loadTexels(const GltfDocument& document, MaterialSet& set) {
-  const std::set<std::size_t> indices(set.imageOfTexture.begin(), set.imageOfTexture.end());
-  const std::vector<ImageUse> images = placeImages(document, indices);
-  std::vector<uint> texels(images.empty() ? 0 : images.back().firstTexel + images.back().size.texels());
+std::vector<uint> loadTexels(const GltfDocument& document, MaterialSet& set, Log& log) {
+  const std::map<std::size_t, ImageUse> images = placeImages(document, set, log);
+  std::vector<uint> texels(images.empty() ? 0 : images.rbegin()->second.firstWord + images.rbegin()->second.words());
   decodeAll(images, texels);
   for (std::size_t t = 0; t < set.textures.size(); ++t) {
-    const auto place = std::distance(indices.begin(), indices.find(set.imageOfTexture[t]));
-    const ImageUse& image = images[static_cast<std::size_t>(place)];
-    set.textures[t].firstTexel = static_cast<uint>(image.firstTexel);
+    const ImageUse& image = images.at(set.imageOfTexture[t]);
+    set.textures[t].firstTexel = static_cast<uint>(image.firstWord);
     set.textures[t].width = static_cast<uint>(image.size.width);
     set.textures[t].height = static_cast<uint>(image.size.height);
+    set.textures[t].isDeep = image.depth == TexelDepth::sixteen ? 1u : 0u;
   }
   return texels;
 }

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "scene/container/gltf_json.h"
+#include "scene/images/image_source.h"
 
 namespace importon {
 namespace {
@@ -73,15 +74,12 @@ uint TextureTable::indexOf(const Texture& texture, std::size_t image) {
 
 uint TextureTable::use(const nlohmann::json& info, const std::string& pointer, ColorMeaning meaning) {
   if (!info.is_object()) return kNone;
-  const tinygltf::Texture& source = document_.model.textures[static_cast<std::size_t>(integerOr(info, "index", 0))];
-  if (source.source < 0) {
-    log_.warn("texture without image",
-              fmt::format("{}: the texture names no PNG or JPEG and is passed over", document_.source.at(pointer)));
-    return kNone;
-  }
+  const auto index = static_cast<std::size_t>(integerOr(info, "index", 0));
+  const std::optional<std::size_t> image = chooseImage(document_, index, log_);
+  if (!image) return kNone;
   Texture texture{};
   texture.isSrgb = meaning == ColorMeaning::srgb ? 1u : 0u;
-  readSampler(source.sampler, texture);
+  readSampler(document_.model.textures[index].sampler, texture);
   const nlohmann::json& transform = member(info, "extensions", "KHR_texture_transform");
   applyTransform(transform, texture);
   const int uvSet = integerOr(transform, "texCoord", integerOr(info, "texCoord", 0));
@@ -90,7 +88,7 @@ uint TextureTable::use(const nlohmann::json& info, const std::string& pointer, C
     log_.warn("texture coordinates beyond the second set",
               fmt::format("{}: TEXCOORD_{} is not read; TEXCOORD_0 stands in", document_.source.at(pointer), uvSet));
   }
-  return indexOf(texture, static_cast<std::size_t>(source.source));
+  return indexOf(texture, *image);
 }
 
 }  // namespace importon

@@ -3,39 +3,67 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "base/error.h"
+#include "scene/images/avif_decode.h"
 #include "scene/images/jpeg_decode.h"
+#include "scene/images/ktx_decode.h"
 #include "scene/images/png_decode.h"
+#include "scene/images/webp_decode.h"
 
 namespace importon {
 namespace {
 
-constexpr std::size_t kLongestSide = 16384;
-constexpr std::size_t kMostTexels = std::size_t{1} << 27;
+constexpr const char* kFormats = "PNG, JPEG, WebP or AVIF";
+
+using Bytes = std::span<const unsigned char>;
+
+struct ImageFormat {
+  bool (*isIt)(Bytes);
+  ImageSize (*readSize)(Bytes, const std::string& where);
+  void (*decode)(Bytes, std::span<uint>, const std::string& where, TexelDepth);
+};
+
+constexpr std::array kImageFormats = {
+    ImageFormat{isPng, readPngSize, decodePng},
+    ImageFormat{isJpeg, readJpegSize,
+                [](Bytes bytes, std::span<uint> texels, const std::string& where, TexelDepth) {
+                  decodeJpeg(bytes, texels, where);
+                }},
+    ImageFormat{isWebp, readWebpSize,
+                [](Bytes bytes, std::span<uint> texels, const std::string& where, TexelDepth) {
+                  decodeWebp(bytes, texels, where);
+                }},
+    ImageFormat{isAvif, readAvifSize, decodeAvif},
+    ImageFormat{isKtx, readKtxSize, [](Bytes bytes, std::span<uint> texels, const std::string& where, TexelDepth) {
+                  decodeKtx(bytes, texels, where);
+                }}};
+
+const ImageFormat& formatOf(Bytes bytes, const std::string& where) {
+  if (bytes.empty()) {
+    throw SceneError("the image is empty", where, fmt::format("save the image as {} again", kFormats));
+  }
+  const auto* format = std::find_if(kImageFormats.begin(), kImageFormats.end(),
+                                    [&](const ImageFormat& candidate) { return candidate.isIt(bytes); });
+  if (format != kImageFormats.end()) return *format;
+  throw SceneError(fmt::format("the image is not {}", kFormats), where, "save it as one of these");
+}
 
 }  // namespace
 
-ImageSize readImageSize(std::span<const unsigned char> bytes, const std::string& where) {
-  if (bytes.empty()) throw SceneError("the image is empty", where, "save the image as PNG or JPEG again");
-  if (!isPng(bytes) && !isJpeg(bytes)) {
-    throw SceneError("the image is neither PNG nor JPEG", where, "save the image as PNG or JPEG");
-  }
-  const ImageSize size = isPng(bytes) ? readPngSize(bytes, where) : readJpegSize(bytes, where);
-  const bool isAllowed = size.width > 0 && size.height > 0 && size.width <= kLongestSide &&
-                         size.height <= kLongestSide && size.texels() <= kMostTexels;
+ImageSize readImageSize(Bytes bytes, const std::string& where) {
+  const ImageSize size = formatOf(bytes, where).readSize(bytes, where);
+  const bool isAllowed = size.width > 0 && size.height > 0 && size.width <= kLongestImageSide &&
+                         size.height <= kLongestImageSide && size.texels() <= kMostImageTexels;
   if (isAllowed) return size;
   throw SceneError(fmt::format("the image has {} x {} texels, not 1 to {} a side and {} in all at most", size.width,
-                               size.height, kLongestSide, kMostTexels),
+                               size.height, kLongestImageSide, kMostImageTexels),
                    where, "change the size of the image");
 }
 
-void decodeImage(std::span<const unsigned char> bytes, std::span<uint> texels, const std::string& where) {
-  if (isPng(bytes)) {
-    decodePng(bytes, texels, where);
-  } else {
-    decodeJpeg(bytes, texels, where);
-  }
+void decodeImage(Bytes bytes, std::span<uint> texels, const std::string& where, TexelDepth depth) {
+  formatOf(bytes, where).decode(bytes, texels, where, depth);
 }
 
 }  // namespace importon

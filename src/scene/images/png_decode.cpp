@@ -56,7 +56,7 @@ class PngReader {
 
   /// Decodes into `rows`; false after an error. libpng jumps back to setjmp past any destructor: nothing here
   /// has one.
-  bool read(png_bytepp rows, png_uint_32 width, png_uint_32 height) {
+  bool read(png_bytepp rows, png_uint_32 width, png_uint_32 height, TexelDepth depth) {
     if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) return false;
     png_set_user_limits(png_, width, height);
     png_read_info(png_, info_);
@@ -64,12 +64,17 @@ class PngReader {
       png_error(png_, "two headers");
     }
     png_set_expand(png_);
-    png_set_strip_16(png_);
+    if (depth == TexelDepth::eight) {
+      png_set_strip_16(png_);
+    } else {
+      png_set_swap(png_);  // from big-endian
+    }
     png_set_gray_to_rgb(png_);
-    png_set_add_alpha(png_, 0xFF, PNG_FILLER_AFTER);
+    png_set_add_alpha(png_, 0xFFFF, PNG_FILLER_AFTER);
     png_set_interlace_handling(png_);
     png_read_update_info(png_, info_);
-    if (png_get_rowbytes(png_, info_) != std::size_t{4} * width) png_error(png_, "unexpected rows");
+    if (png_get_rowbytes(png_, info_) != (depth == TexelDepth::eight ? std::size_t{4} : std::size_t{8}) * width)
+      png_error(png_, "unexpected rows");
     png_read_image(png_, rows);
     png_read_end(png_, nullptr);
     return true;
@@ -88,20 +93,23 @@ bool isPng(std::span<const unsigned char> bytes) {
 }
 
 ImageSize readPngSize(std::span<const unsigned char> bytes, const std::string& where) {
-  constexpr std::size_t kHeaderBytes = 24;  // signature, length and type of IHDR, width, height
+  constexpr std::size_t kHeaderBytes = 25;  // signature, length and type of IHDR, width, height, bit depth
   if (bytes.size() < kHeaderBytes || std::memcmp(bytes.data() + 12, "IHDR", 4) != 0) {
     throw SceneError("the PNG has no header", where, kSavePngAgain);
   }
-  return {bigEndian(bytes, 16), bigEndian(bytes, 20)};
+  return {bigEndian(bytes, 16), bigEndian(bytes, 20), bytes[24] == 16};
 }
 
-void decodePng(std::span<const unsigned char> bytes, std::span<uint> texels, const std::string& where) {
+void decodePng(std::span<const unsigned char> bytes, std::span<uint> texels, const std::string& where,
+               TexelDepth depth) {
   const ImageSize size = readPngSize(bytes, where);
+  const std::size_t words = depth == TexelDepth::eight ? 1 : 2;
   std::vector<png_bytep> rows(size.height);
-  for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = reinterpret_cast<png_bytep>(&texels[y * size.width]);
+  for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = reinterpret_cast<png_bytep>(&texels[y * size.width * words]);
   Reading reading{bytes, {}};
   PngReader reader(reading);
-  if (reader.read(rows.data(), static_cast<png_uint_32>(size.width), static_cast<png_uint_32>(size.height))) return;
+  if (reader.read(rows.data(), static_cast<png_uint_32>(size.width), static_cast<png_uint_32>(size.height), depth))
+    return;
   throw SceneError(fmt::format("the PNG cannot be decoded ({})", reading.message.data()), where, kSavePngAgain);
 }
 

@@ -1,4 +1,4 @@
-/// PNG to RGBA8, by libpng.
+/// PNG to RGBA, by libpng.
 #pragma once
 #include <span>
 #include <string>
@@ -13,6 +13,7 @@ namespace importon {
 [[nodiscard]] ImageSize readPngSize(std::span<const unsigned char> bytes, const std::string& where);
 
 /// As decodeImage. Colour chunks (gAMA, cHRM, iCCP, sRGB) have no effect, as glTF 2.0, section 3.8.2, demands.
-void decodePng(std::span<const unsigned char> bytes, std::span<uint> texels, const std::string& where);
+void decodePng(std::span<const unsigned char> bytes, std::span<uint> texels, const std::string& where,
+               TexelDepth depth);
 
 }  // namespace importon

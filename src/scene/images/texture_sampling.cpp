@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/gtc/packing.hpp>
 
 namespace importon {
 namespace {
 
 /// IEC 61966-2-1.
+double linearFromSrgb(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
 std::array<float, 256> makeSrgbTable() {
   std::array<float, 256> table{};
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const double encoded = static_cast<double>(i) / 255.0;
-    table[i] = static_cast<float>(encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
+    table[i] = static_cast<float>(linearFromSrgb(static_cast<double>(i) / 255.0));
   }
   return table;
 }
@@ -41,13 +45,22 @@ vec2 transformUv(const Texture& texture, const vec2& uv) {
   return {glm::dot(texture.uvRow0, vec3(uv, 1.0f)), glm::dot(texture.uvRow1, vec3(uv, 1.0f))};
 }
 
+vec4 texelAt(const Texture& texture, std::span<const uint> texels, std::size_t index) {
+  const bool isSrgb = texture.isSrgb != 0;
+  if (texture.isDeep != 0) {
+    const std::size_t first = texture.firstTexel + 2 * index;
+    const vec4 c(glm::unpackUnorm2x16(texels[first]), glm::unpackUnorm2x16(texels[first + 1]));
+    return isSrgb ? vec4(linearFromSrgb(c.x), linearFromSrgb(c.y), linearFromSrgb(c.z), c.w) : c;
+  }
+  const uint texel = texels[texture.firstTexel + index];
+  return {linear(texel & 0xFFu, isSrgb), linear(texel >> 8 & 0xFFu, isSrgb), linear(texel >> 16 & 0xFFu, isSrgb),
+          linear(texel >> 24, false)};
+}
+
 vec4 nearestTexel(const Texture& texture, std::span<const uint> texels, const vec2& uv) {
   const std::size_t x = wrapped(uv.x, texture.width, texture.wrapS);
   const std::size_t y = wrapped(uv.y, texture.height, texture.wrapT);
-  const uint texel = texels[texture.firstTexel + y * texture.width + x];
-  const bool isSrgb = texture.isSrgb != 0;
-  return {linear(texel & 0xFFu, isSrgb), linear(texel >> 8 & 0xFFu, isSrgb), linear(texel >> 16 & 0xFFu, isSrgb),
-          linear(texel >> 24, false)};
+  return texelAt(texture, texels, y * texture.width + x);
 }
 
 TriangleTexture::TriangleTexture(const Texture& texture, std::span<const uint> texels, const vec2 (&uv)[3])

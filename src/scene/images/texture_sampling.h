@@ -1,5 +1,6 @@
 /// Texture lookups on the host, for means over triangles.
 #pragma once
+#include <cstddef>
 #include <span>
 
 #include "shared/scene_data.h"
@@ -8,6 +9,9 @@ namespace importon {
 
 /// Where a texture is read for coordinates of its UV set: after its transform, not yet wrapped.
 [[nodiscard]] vec2 transformUv(const Texture& texture, const vec2& uv);
+
+/// The linear RGBA of the texel `index`, counted in rows from the top.
+[[nodiscard]] vec4 texelAt(const Texture& texture, std::span<const uint> texels, std::size_t index);
 
 /// The linear RGBA of the texel that holds `uv`, which transformUv gave.
 [[nodiscard]] vec4 nearestTexel(const Texture& texture, std::span<const uint> texels, const vec2& uv);

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "base/error.h"
+#include "scene/container/gltf_view.h"
 
 namespace importon {
 namespace {
@@ -35,9 +36,8 @@ struct Elements {
 
 /// The elements from `byteOffset` of a buffer view on, all of them inside of it.
 Elements locate(const Context& context, int bufferView, std::size_t byteOffset, std::size_t count, std::size_t bytes) {
-  const tinygltf::Model& model = context.document.model;
-  const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(bufferView)];
-  const std::vector<unsigned char>& buffer = model.buffers[static_cast<std::size_t>(view.buffer)].data;
+  const auto viewIndex = static_cast<std::size_t>(bufferView);
+  const tinygltf::BufferView& view = context.document.model.bufferViews[viewIndex];
   const std::size_t stride = view.byteStride == 0 ? bytes : view.byteStride;
   if (stride < bytes) {
     context.fail(fmt::format("a stride of {} bytes is less than an element of {}", stride, bytes));
@@ -48,8 +48,8 @@ Elements locate(const Context& context, int bufferView, std::size_t byteOffset, 
     context.fail(fmt::format("{} elements of {} bytes from byte {} on reach past the buffer view of {} bytes", count,
                              bytes, byteOffset, view.byteLength));
   }
-  const std::size_t first = view.byteOffset + byteOffset;
-  return {std::span(buffer).subspan(first, (count - 1) * stride + bytes), count, bytes, stride};
+  return {viewBytes(context.document, viewIndex).subspan(byteOffset, (count - 1) * stride + bytes), count, bytes,
+          stride};
 }
 
 std::size_t componentBytes(const Context& context, int componentType) {

@@ -11,8 +11,8 @@
 #include "base/error.h"
 #include "scene/container/gltf_json.h"
 #include "scene/environment.h"
-#include "scene/images/gltf_image.h"
 #include "scene/images/image_decode.h"
+#include "scene/images/image_source.h"
 #include "scene/light_math.h"
 #include "scene/nodes/gltf_nodes.h"
 
@@ -54,10 +54,11 @@ std::vector<dvec3> radianceOf(const std::vector<uint>& texels) {
 
 class Cube {
  public:
-  Cube(const GltfDocument& document, const nlohmann::json& images, const std::string& where) {
+  Cube(const GltfDocument& document, const nlohmann::json& images, const std::string& where, Log& log) {
     for (std::size_t face = 0; face < kFaces.size(); ++face) {
       const auto index = static_cast<std::size_t>(integerOr(nlohmann::json{{"index", images[face]}}, "index", 0));
-      const std::span<const unsigned char> bytes = encodedImage(document.model, index);
+      const EncodedImage encoded = readEncodedImage(document, index, log);
+      const std::span<const unsigned char> bytes = encoded.bytes();
       const std::string place = document.source.at(fmt::format("/images/{}", index));
       const ImageSize size = readImageSize(bytes, place);
       if (face == 0) side_ = size.width;
@@ -150,7 +151,7 @@ std::optional<EnvironmentMap> readImageLight(const GltfDocument& document, Log& 
   const double intensity = numberOr(light, "intensity", 1.0);
   const nlohmann::json& images = element(member(light, "specularImages"), 0);
   if (images.is_array() && images.size() == kFaces.size()) {
-    const Cube cube(document, images, where);
+    const Cube cube(document, images, where, log);
     return mapOf(
         static_cast<int>(2 * cube.side()), [&](const dvec3& d) { return cube.at(back * d); }, intensity);
   }
