@@ -11,6 +11,7 @@
 #include "scene/images/gltf_image.h"
 #include "scene/lights.h"
 #include "scene/materials/gltf_material.h"
+#include "scene/materials/specular_glossiness.h"
 #include "scene/meshes/draco_mesh.h"
 #include "scene/meshes/mesh_library.h"
 #include "scene/meshes/tangents.h"
@@ -114,7 +115,7 @@ Scene loadGltf(const std::filesystem::path& file, Log& log, const LoadOptions& o
 
 Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem::path& name, const AssetFolder& folder,
                          Log& log, const LoadOptions& options) {
-  GltfDocument document = readDocument(bytes, name, folder, log);
+  GltfDocument document = readDocument(bytes, name, folder, log, options.file);
   decodeDracoMeshes(document, log);
   const std::vector<PlacedNode> nodes = placeNodes(document);
   MeshLibrary library(document, log);
@@ -127,6 +128,7 @@ Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem
   scene.file = name;
   assembleGeometry(instances, scene, document.source.name(), log);
   scene.texels = loadTexels(document, set, log);
+  makeRoughnessTextures(set, scene.texels, document.source.name());
   scene.textures = std::move(set.textures);
   scene.materials = std::move(set.materials);
   scene.materialNames = std::move(set.names);

@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 
+#include "scene/container/file_choices.h"
 #include "scene/container/uri.h"
 #include "scene/scene.h"
 
@@ -19,6 +20,7 @@ struct LoadOptions {
   std::optional<EnvironmentMap> environment = std::nullopt;  // stands in for the file's own
   double environmentRotation = 0;                            // degrees: scene/environment.h
   double frameAspect = kFrameAspect;                         // width over height that a camera of our own frames for
+  FileChoices file{};                                        // which scene and variant, how strictly read
   OutsideFiles outside = OutsideFiles::refused;              // may buffers and images lie outside the file's folder?
 
   static constexpr double kFrameAspect = 4.0 / 3.0;

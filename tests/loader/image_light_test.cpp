@@ -121,7 +121,7 @@ TEST(ImageLight, OfTheDraftIsAsSoftAsItsIrradiance) {
 }
 
 TEST(ImageLight, RefusesWhatIsNone) {
-  EXPECT_NE(errorOf(withLight({{"intensity", -1}})).find("/lights/0/intensity"), std::string::npos);
+  EXPECT_NE(errorOf(withLight({{"intensity", -1}}), kStrict).find("/lights/0/intensity"), std::string::npos);
   EXPECT_NE(errorOf(withLight(Json::object())).find("neither six specularImages"), std::string::npos);
   EXPECT_NE(errorOf(coloredCube({{"rotation", {0, 0, 0, 0}}})).find("quaternion"), std::string::npos);
   GltfBuilder missing = withLight({});

@@ -9,30 +9,37 @@
 
 namespace importon::test {
 
-inline Scene load(const Bytes& bytes, Log& log) { return loadGltfFromMemory(asBytes(bytes), "test.glb", {}, log); }
-
-inline Scene load(const GltfBuilder& builder) {
-  Log log(Log::Verbosity::quiet);
-  return load(builder.glb(), log);
+inline Scene load(const Bytes& bytes, Log& log, const FileChoices& choices = {}) {
+  return loadGltfFromMemory(asBytes(bytes), "test.glb", {}, log, {.file = choices});
 }
 
+inline Scene load(const GltfBuilder& builder, const FileChoices& choices = {}) {
+  Log log(Log::Verbosity::quiet);
+  return load(builder.glb(), log, choices);
+}
+
+inline constexpr auto kStrict = Strictness::strict;
+
 /// The message of the SceneError that loading throws; "" if it loads.
-inline std::string errorOf(const Bytes& bytes) {
+inline std::string errorOf(const Bytes& bytes, Strictness strictness = Strictness::forgiving) {
   Log log(Log::Verbosity::quiet);
   try {
-    (void)load(bytes, log);
+    (void)load(bytes, log, {.strictness = strictness});
   } catch (const SceneError& error) {
     return error.what();
   }
   return "";
 }
-inline std::string errorOf(const GltfBuilder& builder) { return errorOf(builder.glb()); }
+inline std::string errorOf(const GltfBuilder& builder, Strictness strictness = Strictness::forgiving) {
+  return errorOf(builder.glb(), strictness);
+}
 
 /// The warnings of a load that succeeds.
-inline std::vector<Warning> warningsOf(const GltfBuilder& builder) {
+inline std::vector<Warning> warningsOf(const Bytes& bytes) {
   Log log(Log::Verbosity::quiet);
-  (void)load(builder.glb(), log);
+  (void)load(bytes, log);
   return log.warnings();
 }
+inline std::vector<Warning> warningsOf(const GltfBuilder& builder) { return warningsOf(builder.glb()); }
 
 }  // namespace importon::test

@@ -41,10 +41,20 @@ bool usesTextures(const Material& m) {
   return uses;
 }
 
-bool hasAnyColor(const Scene& scene) {
+bool isTinted(const Vertex& v) {
   constexpr uint kWhiteHalves = 0x3C003C00u;
-  return std::any_of(scene.vertices.begin(), scene.vertices.end(),
-                     [](const Vertex& v) { return v.colorRG != kWhiteHalves || (v.colorBA & 0xFFFFu) != 0x3C00u; });
+  return v.colorRG != kWhiteHalves || (v.colorBA & 0xFFFFu) != 0x3C00u;
+}
+
+/// COLOR_0 shows where it is not white, and where its alpha counts and is not 1.
+bool hasAnyColor(const Scene& scene) {
+  constexpr uint kOpaque = 0x3C00u;
+  const auto isThinned = [&](const Triangle& t) {
+    if ((scene.materials[t.material].flags & (kMaterialAlphaMask | kMaterialAlphaBlend)) == 0) return false;
+    return std::ranges::any_of(std::array{t.v0, t.v1, t.v2},
+                               [&](uint v) { return scene.vertices[v].colorBA >> 16 != kOpaque; });
+  };
+  return std::ranges::any_of(scene.vertices, isTinted) || std::ranges::any_of(scene.triangles, isThinned);
 }
 
 bool anyMaterial(const Scene& scene, bool (*test)(const Material&)) {

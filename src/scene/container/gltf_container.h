@@ -5,6 +5,8 @@
 #include <span>
 #include <string_view>
 
+#include "base/log.h"
+#include "scene/container/faults.h"
 #include "scene/container/gltf_source.h"
 
 namespace importon {
@@ -16,8 +18,9 @@ struct GltfContainer {
   std::optional<std::span<const std::byte>> binaryChunk;  // of a .glb; holds buffer 0
 };
 
-/// Tells .glb from .gltf by its first bytes and checks lengths, chunks and the depth of the JSON. Throws
-/// SceneError.
-[[nodiscard]] GltfContainer readContainer(std::span<const std::byte> bytes, const GltfSource& source);
+/// Tells .glb from .gltf by its first bytes and checks lengths and chunks. Chunks of unknown kind are passed over with
+/// a warning. Throws SceneError.
+[[nodiscard]] GltfContainer readContainer(std::span<const std::byte> bytes, const GltfSource& source,
+                                          const Faults& faults, Log& log);
 
 }  // namespace importon

@@ -6,35 +6,37 @@
 
 #include "base/error.h"
 #include "scene/container/gltf_advice.h"
+#include "scene/container/gltf_choices.h"
 #include "scene/container/gltf_container.h"
 #include "scene/container/gltf_extensions.h"
 #include "scene/container/gltf_json.h"
 #include "scene/container/gltf_resources.h"
 #include "scene/container/gltf_schema.h"
+#include "scene/container/lenient_json.h"
+#include "scene/materials/specular_glossiness.h"
 
 namespace importon {
 namespace {
 
-nlohmann::json parseJson(std::string_view text, const GltfSource& source) {
-  try {
-    return nlohmann::json::parse(text);
-  } catch (const nlohmann::json::exception& error) {
-    throw SceneError(fmt::format("the JSON is malformed: {}", printable(error.what())), source.name(), kExportAgain);
-  }
-}
-
 /// Other versions have another structure: this comes before all else, which is left to checkSchema.
-void checkVersion(const nlohmann::json& document, const GltfSource& source) {
+void checkVersion(nlohmann::json& document, const GltfSource& source, const Faults& faults) {
   for (const char* pointer : {"/asset/version", "/asset/minVersion"}) {
     const nlohmann::json::json_pointer place(pointer);
     if (!document.contains(place) || !document[place].is_string()) continue;
-    const auto& version = document[place].get_ref<const std::string&>();
+    auto& version = document[place].get_ref<std::string&>();
+    if (version == "2") {
+      faults.forgive("version without a minor", pointer, "the version is '2'", "it is taken for 2.0");
+      version = "2.0";
+    }
     const bool isReadable =
         std::string_view(pointer).ends_with("/version") ? version.starts_with("2.") : version == "2.0";
     if (isReadable) continue;
     throw SceneError(fmt::format("the file needs glTF version {}", printable(version)), source.at(pointer),
                      "convert it to glTF 2.0");
   }
+  const nlohmann::json& meshes = member(document, "meshes");
+  if (!member(document, "asset", "version").is_null() || !meshes.is_object()) return;
+  throw SceneError("the file needs glTF version 1.0", source.at("/meshes"), "convert it to glTF 2.0");
 }
 
 /// Buffer views must lie in their buffers.
@@ -53,12 +55,15 @@ void checkBufferViews(const nlohmann::json& document, const GltfSource& source) 
   }
 }
 
-/// What tinygltf reads: all but the bytes, which it would decode its own way, and the indices of primitives, which it
-/// refuses where they have no buffer view, as compressed ones.
+/// What tinygltf reads: all but the bytes, which it would decode its own way, and what it refuses: indices of
+/// primitives without a buffer view, as compressed ones, and strides that are no multiple of 4 or above 252.
 nlohmann::json structureOf(const nlohmann::json& document) {
   nlohmann::json structure = nlohmann::json::object();
   for (const auto& [key, value] : document.items()) {
     if (key != "buffers" && key != "images") structure[key] = value;
+  }
+  if (structure.contains("bufferViews")) {
+    for (nlohmann::json& view : structure["bufferViews"]) view.erase("byteStride");
   }
   if (!structure.contains("meshes")) return structure;
   for (nlohmann::json& mesh : structure["meshes"]) {
@@ -67,7 +72,12 @@ nlohmann::json structureOf(const nlohmann::json& document) {
   return structure;
 }
 
-void addIndices(const nlohmann::json& document, tinygltf::Model& model) {
+/// Gives the model what structureOf left out.
+void complete(const nlohmann::json& document, tinygltf::Model& model) {
+  const nlohmann::json& views = member(document, "bufferViews");
+  for (std::size_t v = 0; v < model.bufferViews.size(); ++v) {
+    model.bufferViews[v].byteStride = static_cast<std::size_t>(integerOr(views[v], "byteStride", 0));
+  }
   for (std::size_t m = 0; m < model.meshes.size(); ++m) {
     const nlohmann::json& primitives = document["meshes"][m]["primitives"];
     for (std::size_t p = 0; p < model.meshes[m].primitives.size(); ++p) {
@@ -94,22 +104,24 @@ tinygltf::Model parseModel(const nlohmann::json& document, const GltfSource& sou
     throw SceneError(fmt::format("malformed glTF: {}", printable(error.substr(0, error.find('\n')))), source.name(),
                      kExportAgain);
   }
-  addIndices(document, model);
+  complete(document, model);
   return model;
 }
 
 }  // namespace
 
 GltfDocument readDocument(std::span<const std::byte> bytes, const std::filesystem::path& name,
-                          const AssetFolder& folder, Log& log) {
-  GltfDocument document{GltfSource(printable(name.string(), 4096)), folder, {}, {}};
-  const GltfSource& source = document.source;
-  const GltfContainer container = readContainer(bytes, source);
-  document.json = parseJson(container.json, source);
-  const nlohmann::json& json = document.json;
-  checkVersion(json, source);
-  checkSchema(json, source);
-  checkExtensions(json, source, log);
+                          const AssetFolder& folder, Log& log, const FileChoices& choices) {
+  const GltfSource source(printable(name.string(), 4096));
+  GltfDocument document{source, folder, Faults(source, log, choices.strictness), {}, {}};
+  const Faults& faults = document.faults;
+  const GltfContainer container = readContainer(bytes, source, faults, log);
+  nlohmann::json& json = document.json = parseLenient(container.json, source, faults);
+  checkVersion(json, source, faults);
+  checkSchema(json, source, faults);
+  checkExtensions(json, source, faults, log);
+  applyChoices(json, choices);
+  convertSpecularGlossiness(json);
   checkBufferViews(json, source);
   document.model = parseModel(json, source);
   for (std::vector<unsigned char>& data : readBuffers(json, container.binaryChunk, folder, source, log)) {

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "base/log.h"
+#include "scene/container/faults.h"
+#include "scene/container/file_choices.h"
 #include "scene/container/gltf_source.h"
 #include "scene/container/uri.h"
 
@@ -21,13 +23,15 @@ namespace importon {
 struct GltfDocument {
   GltfSource source;
   AssetFolder folder;  // of external files
+  Faults faults;
   nlohmann::json json;
   tinygltf::Model model;
   mutable std::map<std::size_t, std::vector<unsigned char>> decodedViews{};  // of viewBytes
 };
 
-/// Parses and checks. Throws SceneError.
+/// Parses and checks. What `choices` choose is as if the file said so. Throws SceneError, and UsageError where the
+/// choices name nothing that is there.
 [[nodiscard]] GltfDocument readDocument(std::span<const std::byte> bytes, const std::filesystem::path& name,
-                                        const AssetFolder& folder, Log& log);
+                                        const AssetFolder& folder, Log& log, const FileChoices& choices = {});
 
 }  // namespace importon

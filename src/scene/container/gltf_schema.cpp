@@ -4,11 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
+#include "scene/container/gltf_advice.h"
 #include "scene/container/gltf_schema_rules.h"
 
 namespace importon {
@@ -34,34 +37,64 @@ struct Place {
 /// One rule on its way down the document.
 class Walk {
  public:
-  Walk(const Json& document, const GltfSource& source, const SchemaRule& rule)
-      : document_(document), source_(source), rule_(rule) {}
+  Walk(Json& document, const GltfSource& source, const Faults& faults, const SchemaRule& rule)
+      : document_(document), source_(source), faults_(faults), rule_(rule) {}
 
   void run() { descend(document_, rule_.path, Place()); }
 
  private:
   [[noreturn]] void fail(const std::string& what, const Place& place) const {
-    throw SceneError(what, source_.at(place.pointer()), "correct the file or export it again");
+    throw SceneError(what, source_.at(place.pointer()), kExportAgain);
   }
 
-  void descend(const Json& value, std::string_view path, const Place& place) const {
-    if (path.empty()) return check(value, place);
+  void descend(Json& value, std::string_view path, const Place& place) {
     const std::size_t slash = path.find('/');
     const std::string_view head = path.substr(0, slash);
     const std::string_view rest = slash == std::string_view::npos ? "" : path.substr(slash + 1);
     if (head == "*") return descendIntoAll(value, rest, place);
     if (!value.is_object()) return;
-    const auto member = value.find(head);
-    if (member != value.end()) return descend(*member, rest, place.at(head));
-    if (rest.empty() && rule_.isRequired) fail(fmt::format("'{}' is missing", head), place);
+    auto member = value.find(head);
+    if (member != value.end() && member->is_null()) {
+      faults_.forgive("null", place.at(head).pointer(), "the value is null", "it is taken as absent");
+      value.erase(member);
+      member = value.end();
+    }
+    if (member == value.end()) {
+      if (rest.empty() && rule_.isRequired) supply(value, head, place);
+      return;
+    }
+    if (!rest.empty()) return descend(*member, rest, place.at(head));
+    isDropped_ = false;
+    check(*member, place.at(head));
+    if (isDropped_) value.erase(member);
   }
 
-  void descendIntoAll(const Json& value, std::string_view rest, const Place& place) const {
+  void descendIntoAll(Json& value, std::string_view rest, const Place& place) {
     if (!value.is_array()) return;
-    for (std::size_t i = 0; i < value.size(); ++i) descend(value[i], rest, place.at(i));
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      if (rest.empty()) {
+        check(value[i], place.at(i));
+      } else {
+        descend(value[i], rest, place.at(i));
+      }
+    }
   }
 
-  void check(const Json& value, const Place& place) const {
+  /// A member that must be there and is missing.
+  void supply(Json& value, std::string_view key, const Place& place) const {
+    const std::string what = fmt::format("'{}' is missing", key);
+    if (rule_.repair != SchemaRepair::empty || faults_.areRefused()) fail(what, place);
+    value[std::string(key)] = Json::object();
+  }
+
+  /// The end of a check that has failed: the value goes where the rule says so.
+  void dropOrFail(const std::string& what, const Place& place) {
+    if (rule_.repair != SchemaRepair::drop) fail(what, place);
+    faults_.forgive("unknown value", place.pointer(), what, "it is taken as absent");
+    isDropped_ = true;
+  }
+
+  void check(Json& value, const Place& place) {
     switch (rule_.kind) {
       case SchemaKind::object:
         return expect(value.is_object(), "an object", place);
@@ -100,28 +133,43 @@ class Walk {
     }
   }
 
-  void checkString(const Json& value, const Place& place) const {
+  void checkString(Json& value, const Place& place) {
     expect(value.is_string(), "a string", place);
     const auto& text = value.get_ref<const std::string&>();
     const std::vector<std::string>& choices = rule_.choices;
     if (choices.empty() || std::find(choices.begin(), choices.end(), text) != choices.end()) return;
-    fail(fmt::format("'{}' is none of {}", printable(text), fmt::join(choices, ", ")), place);
+    dropOrFail(fmt::format("'{}' is none of {}", printable(text), fmt::join(choices, ", ")), place);
   }
 
-  void checkInteger(const Json& value, const Place& place) const {
+  /// JSON knows no integers: 1.0 is one.
+  static void makeInteger(Json& value) {
+    constexpr double kMostExact = 9007199254740992.0;
+    if (!value.is_number_float()) return;
+    const auto number = value.get<double>();
+    if (std::abs(number) <= kMostExact && number == std::floor(number)) value = static_cast<std::int64_t>(number);
+  }
+
+  void checkInteger(Json& value, const Place& place) {
+    makeInteger(value);
     expect(value.is_number_integer(), "an integer", place);
     checkNumber(value, place);
   }
 
-  void checkNumber(const Json& value, const Place& place) const {
+  void checkNumber(Json& value, const Place& place) {
     expect(value.is_number(), "a number", place);
     const auto number = value.get<double>();
     if (number >= rule_.least && number <= rule_.most) return;
-    if (rule_.most == kNoLimit) fail(fmt::format("{} is less than {}", number, rule_.least), place);
-    fail(fmt::format("{} lies outside {} to {}", number, rule_.least, rule_.most), place);
+    const std::string what = rule_.most == kNoLimit
+                                 ? fmt::format("{} is less than {}", number, rule_.least)
+                                 : fmt::format("{} lies outside {} to {}", number, rule_.least, rule_.most);
+    if (rule_.repair == SchemaRepair::none || faults_.areRefused()) fail(what, place);
+    if (rule_.repair == SchemaRepair::keep) return;
+    const double clamped = std::clamp(number, rule_.least, rule_.most);
+    faults_.forgive("number off its range", place.pointer(), what, fmt::format("{} is taken", clamped));
+    value = clamped;
   }
 
-  void checkNumbers(const Json& value, const Place& place) const {
+  void checkNumbers(Json& value, const Place& place) {
     expect(value.is_array(), "an array of numbers", place);
     if (rule_.length != 0 && value.size() != rule_.length) {
       fail(fmt::format("expected {} numbers but found {}", rule_.length, value.size()), place);
@@ -129,7 +177,8 @@ class Walk {
     for (std::size_t i = 0; i < value.size(); ++i) checkNumber(value[i], place.at(i));
   }
 
-  void checkIndex(const Json& value, const Place& place) const {
+  void checkIndex(Json& value, const Place& place) {
+    makeInteger(value);
     expect(value.is_number_integer(), "an index", place);
     const Json* target = &document_;
     std::string_view path = rule_.target;
@@ -140,23 +189,26 @@ class Walk {
       path = slash == std::string_view::npos ? "" : path.substr(slash + 1);
     }
     const std::size_t size = target == nullptr ? 0 : target->size();
-    if (value.is_number_unsigned() && value.get<std::uint64_t>() < size) return;
-    fail(fmt::format("index {} is not among the {} {}", value.dump(), size, rule_.target), place);
+    const bool isNegative = !value.is_number_unsigned() && value.get<std::int64_t>() < 0;
+    if (!isNegative && value.get<std::uint64_t>() < size) return;
+    dropOrFail(fmt::format("index {} is not among the {} {}", value.dump(), size, rule_.target), place);
   }
 
-  void checkIndices(const Json& value, const Place& place) const {
+  void checkIndices(Json& value, const Place& place) {
     expect(value.is_array(), "an array of indices", place);
     for (std::size_t i = 0; i < value.size(); ++i) checkIndex(value[i], place.at(i));
   }
 
-  void checkIndexMap(const Json& value, const Place& place) const {
+  void checkIndexMap(Json& value, const Place& place) {
     expect(value.is_object(), "an object", place);
-    for (const auto& [key, index] : value.items()) checkIndex(index, place.at(std::string_view(key)));
+    for (auto& [key, index] : value.items()) checkIndex(index, place.at(std::string_view(key)));
   }
 
-  const Json& document_;
+  Json& document_;
   const GltfSource& source_;
+  const Faults& faults_;
   const SchemaRule& rule_;
+  bool isDropped_ = false;
 };
 
 /// Elements whose "type" is one of `types` hold an object of that name.
@@ -169,18 +221,17 @@ void checkVariants(const Json& document, const std::string& array, const std::ve
     const auto& type = elements[i]["type"].get_ref<const std::string&>();
     const bool needsObject = std::find(types.begin(), types.end(), type) != types.end();
     if (!needsObject || elements[i].contains(type)) continue;
-    throw SceneError(fmt::format("'{}' is missing", type), source.at(fmt::format("{}/{}", array, i)),
-                     "correct the file or export it again");
+    throw SceneError(fmt::format("'{}' is missing", type), source.at(fmt::format("{}/{}", array, i)), kExportAgain);
   }
 }
 
 }  // namespace
 
-void checkSchema(const Json& document, const GltfSource& source) {
+void checkSchema(Json& document, const GltfSource& source, const Faults& faults) {
   if (!document.is_object()) {
-    throw SceneError("the JSON is not an object", source.at(""), "correct the file or export it again");
+    throw SceneError("the JSON is not an object", source.at(""), kExportAgain);
   }
-  for (const SchemaRule& rule : schemaRules()) Walk(document, source, rule).run();
+  for (const SchemaRule& rule : schemaRules()) Walk(document, source, faults, rule).run();
   checkVariants(document, "/cameras", {"perspective", "orthographic"}, source);
   checkVariants(document, "/extensions/KHR_lights_punctual/lights", {"spot"}, source);
 }

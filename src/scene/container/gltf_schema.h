@@ -2,6 +2,7 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 
+#include "scene/container/faults.h"
 #include "scene/container/gltf_source.h"
 
 namespace importon {
@@ -10,6 +11,8 @@ namespace importon {
 /// type and range that glTF 2.0 asks for and each index names an existing element. What comes after may index
 /// without asking. (tinygltf 2.7 reads a property of the wrong type as if it weren't there, and checks hardly
 /// any index.)
-void checkSchema(const nlohmann::json& document, const GltfSource& source);
+/// Small faults are mended in place: members that are null go, numbers off their range are clamped where a rule says
+/// so, whole numbers that are written 1.0 become 1.
+void checkSchema(nlohmann::json& document, const GltfSource& source, const Faults& faults);
 
 }  // namespace importon

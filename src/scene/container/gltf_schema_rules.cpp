@@ -25,14 +25,20 @@ class Rules {
     return add({.path = key, .kind = integer, .isRequired = isRequired, .least = least, .most = most});
   }
   Rules& range(const std::string& key, double least, double most = kNoLimit) {
-    return add({.path = key, .kind = number, .least = least, .most = most});
+    return add({.path = key, .kind = number, .least = least, .most = most, .repair = SchemaRepair::clamp});
   }
   Rules& vector(const std::string& key, std::size_t length, double least = -kNoLimit, double most = kNoLimit) {
-    return add({.path = key, .kind = numbers, .least = least, .most = most, .length = length});
+    return add(
+        {.path = key, .kind = numbers, .least = least, .most = most, .length = length, .repair = SchemaRepair::clamp});
   }
   Rules& reference(const std::string& key, const std::string& target, SchemaKind kind = index,
                    bool isRequired = false) {
     return add({.path = key, .kind = kind, .isRequired = isRequired, .target = target});
+  }
+  /// What is done where the rule that was added last is broken.
+  Rules& orElse(SchemaRepair repair) {
+    rules_.back().repair = repair;
+    return *this;
   }
   /// A textureInfo with KHR_texture_transform.
   Rules& texture(const std::string& key) {
@@ -62,7 +68,7 @@ void addRoot(std::vector<SchemaRule>& rules) {
                           "textures", "materials", "cameras", "skins"}) {
     root.optional(key, objects);
   }
-  root.reference("scene", "scenes").reference("scenes/*/nodes", "nodes", indices);
+  root.reference("scene", "scenes").orElse(SchemaRepair::drop).reference("scenes/*/nodes", "nodes", indices);
 }
 
 void addNodes(std::vector<SchemaRule>& rules) {
@@ -70,7 +76,7 @@ void addNodes(std::vector<SchemaRule>& rules) {
   node.reference("children", "nodes", indices).reference("mesh", "meshes").reference("camera", "cameras");
   node.reference("skin", "skins").vector("matrix", 16).vector("translation", 3).vector("rotation", 4);
   node.vector("scale", 3).vector("weights", 0);
-  node.optional("extensions/KHR_lights_punctual", object);
+  node.optional("extensions", object).optional("extensions/KHR_lights_punctual", object);
   node.reference("extensions/KHR_lights_punctual/light", "extensions/KHR_lights_punctual/lights", index, true);
   Rules environment(rules, "scenes/*/extras/environment");
   environment.optional("type", string).vector("radiance", 3, 0, kBrightestFactor);
@@ -92,11 +98,29 @@ void addNodes(std::vector<SchemaRule>& rules) {
   skin.reference("inverseBindMatrices", "accessors");
 }
 
+void addNodeExtensions(std::vector<SchemaRule>& rules) {
+  Rules node(rules, "nodes/*/extensions");
+  node.optional("KHR_node_visibility", object).optional("KHR_node_visibility/visible", boolean);
+  node.optional("EXT_mesh_gpu_instancing", object);
+  node.reference("EXT_mesh_gpu_instancing/attributes", "accessors", indexMap);
+}
+
+void addVariants(std::vector<SchemaRule>& rules) {
+  const std::string variants = "extensions/KHR_materials_variants";
+  Rules(rules, "").optional(variants, object).required(variants + "/variants", objects);
+  Rules primitive(rules, "meshes/*/primitives/*");
+  primitive.optional(variants, object).required(variants + "/mappings", objects);
+  Rules mapping(rules, "meshes/*/primitives/*/" + variants + "/mappings/*");
+  mapping.reference("material", "materials", index, true);
+  mapping.reference("variants", variants + "/variants", indices, true);
+}
+
 void addMeshes(std::vector<SchemaRule>& rules) {
   Rules mesh(rules, "meshes/*");
   mesh.required("primitives", objects).vector("weights", 0);
   Rules primitive(rules, "meshes/*/primitives/*");
-  primitive.reference("attributes", "accessors", indexMap, true).reference("indices", "accessors");
+  primitive.reference("attributes", "accessors", indexMap, true).orElse(SchemaRepair::empty);
+  primitive.reference("indices", "accessors");
   primitive.reference("material", "materials").count("mode", 0, false, 6).optional("targets", objects);
   primitive.reference("targets/*", "accessors", indexMap);
   const std::string draco = "extensions/KHR_draco_mesh_compression";
@@ -107,7 +131,8 @@ void addMeshes(std::vector<SchemaRule>& rules) {
 void addData(std::vector<SchemaRule>& rules) {
   Rules accessor(rules, "accessors/*");
   accessor.reference("bufferView", "bufferViews").count("byteOffset").count("componentType", 0, true);
-  accessor.count("count", 1, true).choice("type", {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"});
+  accessor.count("count", 1, true).orElse(SchemaRepair::keep).count("count");
+  accessor.choice("type", {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"});
   accessor.optional("normalized", boolean);
   accessor.optional("sparse", object).count("sparse/count", 1, true);
   accessor.required("sparse/indices", object).required("sparse/values", object);
@@ -115,9 +140,12 @@ void addData(std::vector<SchemaRule>& rules) {
   accessor.count("sparse/indices/componentType", 0, true);
   accessor.reference("sparse/values/bufferView", "bufferViews", index, true).count("sparse/values/byteOffset");
   Rules view(rules, "bufferViews/*");
-  view.reference("buffer", "buffers", index, true).count("byteOffset").count("byteLength", 1, true);
-  view.count("byteStride", 4, false, 252);
-  Rules(rules, "buffers/*").count("byteLength", 1, true).optional("uri", string);
+  view.reference("buffer", "buffers", index, true).count("byteOffset");
+  view.count("byteLength", 1, true).orElse(SchemaRepair::keep).count("byteLength");
+  rules.back().repair = SchemaRepair::keep;
+  view.count("byteStride", 4, false, 252).orElse(SchemaRepair::keep).count("byteStride");
+  Rules buffer(rules, "buffers/*");
+  buffer.count("byteLength", 1, true).orElse(SchemaRepair::keep).count("byteLength").optional("uri", string);
   for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
     Rules meshopt(rules, std::string("bufferViews/*/extensions/") + name);
     meshopt.reference("buffer", "buffers", index, true).count("byteOffset").count("byteLength", 1, true);
@@ -138,10 +166,19 @@ void addTextures(std::vector<SchemaRule>& rules) {
   }
 }
 
+void addSpecularGlossiness(std::vector<SchemaRule>& rules) {
+  Rules(rules, "materials/*/extensions").optional("KHR_materials_pbrSpecularGlossiness", object);
+  Rules material(rules, "materials/*/extensions/KHR_materials_pbrSpecularGlossiness");
+  material.vector("diffuseFactor", 4, 0, 1).vector("specularFactor", 3, 0, 1).range("glossinessFactor", 0, 1);
+  material.texture("diffuseTexture").texture("specularGlossinessTexture");
+}
+
 void addMaterials(std::vector<SchemaRule>& rules) {
   Rules material(rules, "materials/*");
   material.optional("pbrMetallicRoughness", object).optional("extensions", object);
-  material.choice("alphaMode", {"OPAQUE", "MASK", "BLEND"}, false).optional("doubleSided", boolean);
+  material.choice("alphaMode", {"OPAQUE", "MASK", "BLEND"}, false)
+      .orElse(SchemaRepair::drop)
+      .optional("doubleSided", boolean);
   Rules extension(rules, "materials/*/extensions");
   for (const char* name : {"emissive_strength", "transmission", "ior", "volume", "specular", "clearcoat", "unlit"}) {
     extension.optional(std::string("KHR_materials_") + name, object);
@@ -150,6 +187,7 @@ void addMaterials(std::vector<SchemaRule>& rules) {
       .range("KHR_materials_ior/ior", 0);
   Rules volume(rules, "materials/*/extensions/KHR_materials_volume");
   volume.range("thicknessFactor", 0).range("attenuationDistance", 0).vector("attenuationColor", 3, 0, 1);
+  addSpecularGlossiness(rules);
   for (const MaterialRow& row : materialRows()) {
     const std::string key = (row.place.empty() ? "" : std::string(row.place) + "/") + std::string(row.key);
     if (std::holds_alternative<MaterialTexture>(row.field)) material.texture(key);
@@ -178,7 +216,9 @@ std::vector<SchemaRule> makeRules() {
   std::vector<SchemaRule> rules;
   addRoot(rules);
   addNodes(rules);
+  addNodeExtensions(rules);
   addMeshes(rules);
+  addVariants(rules);
   addData(rules);
   addTextures(rules);
   addMaterials(rules);

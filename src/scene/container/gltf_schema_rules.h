@@ -12,6 +12,11 @@ namespace importon {
 /// indexMap: an object whose values are indices.
 enum class SchemaKind { object, objects, string, strings, boolean, integer, number, numbers, index, indices, indexMap };
 
+/// What is done about a value that breaks its rule. none: the file is refused. With a warning, clamp: the nearest value
+/// that it may have; drop: as if it were not there. Without one, as the reader of the value tells what must be told,
+/// keep: as it is; empty: an empty object, where it is missing.
+enum class SchemaRepair { none, clamp, drop, empty, keep };
+
 inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 struct SchemaRule {
@@ -23,6 +28,7 @@ struct SchemaRule {
   std::size_t length = 0;              // numbers: how many; 0: any
   std::string target{};                // index, indices, indexMap: path of the array
   std::vector<std::string> choices{};  // string: what it may be; empty: anything
+  SchemaRepair repair = SchemaRepair::none;
 };
 
 /// Parents stand before their children.

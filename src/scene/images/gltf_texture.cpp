@@ -12,7 +12,7 @@ namespace importon {
 namespace {
 
 /// glTF 2.0, section 3.8.4.5; -1 and 0: not given.
-uint wrapOf(int mode, const GltfSource& source, std::size_t sampler, const char* key) {
+uint wrapOf(int mode, const Faults& faults, std::size_t sampler, const char* key) {
   switch (mode) {
     case TINYGLTF_TEXTURE_WRAP_REPEAT:
     case -1:
@@ -22,8 +22,9 @@ uint wrapOf(int mode, const GltfSource& source, std::size_t sampler, const char*
     case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
       return kWrapMirror;
     default:
-      throw SceneError(fmt::format("wrapping mode {} is unknown", mode),
-                       source.at(fmt::format("/samplers/{}/{}", sampler, key)), "use 10497, 33071 or 33648");
+      faults.forgive("unknown wrapping mode", fmt::format("/samplers/{}/{}", sampler, key),
+                     fmt::format("wrapping mode {} is unknown", mode), "the texture repeats");
+      return kWrapRepeat;
   }
 }
 
@@ -50,8 +51,8 @@ void TextureTable::readSampler(int index, Texture& texture) const {
   if (index < 0) return;
   const auto element = static_cast<std::size_t>(index);
   const tinygltf::Sampler& sampler = document_.model.samplers[element];
-  texture.wrapS = wrapOf(sampler.wrapS, document_.source, element, "wrapS");
-  texture.wrapT = wrapOf(sampler.wrapT, document_.source, element, "wrapT");
+  texture.wrapS = wrapOf(sampler.wrapS, document_.faults, element, "wrapS");
+  texture.wrapT = wrapOf(sampler.wrapT, document_.faults, element, "wrapT");
   texture.isNearest = isNearest(sampler) ? 1u : 0u;
 }
 

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "scene/container/gltf_json.h"
 #include "scene/images/gltf_texture.h"
+#include "scene/materials/specular_glossiness.h"
 
 namespace importon {
 namespace {
@@ -20,11 +21,11 @@ class MaterialReader {
   MaterialReader(const Json& json, std::string pointer, TextureTable& textures)
       : json_(json), pointer_(std::move(pointer)), textures_(textures) {}
 
-  Material read(const GltfSource& source) {
+  Material read(const Faults& faults) {
     material_ = defaultMaterial();
     for (const MaterialRow& row : materialRows()) readFactor(row);
     readEmission();
-    readTransmission(source);
+    readTransmission(faults);
     readFlags();
     for (const MaterialRow& row : materialRows()) readTexture(row);
     return material_;
@@ -67,8 +68,8 @@ class MaterialReader {
     if (material_.emission != vec3(0.0f)) material_.flags |= kMaterialEmissive;
   }
 
-  void readTransmission(const GltfSource& source) {
-    material_.ior = ior(source);
+  void readTransmission(const Faults& faults) {
+    material_.ior = ior(faults);
     const Json& volume = extension("KHR_materials_volume");
     if (numberOr(volume, "thicknessFactor", 0.0) <= 0.0) return;
     material_.flags |= kMaterialSolid;
@@ -77,13 +78,14 @@ class MaterialReader {
   }
 
   /// KHR_materials_ior: at least 1, or 0 for a surface that reflects all light, here a very dense one.
-  float ior(const GltfSource& source) const {
+  float ior(const Faults& faults) const {
     constexpr float kReflectsAll = 1e4f;
     const float value = floatOr(extension("KHR_materials_ior"), "ior", 1.5f);
     if (value == 0.0f) return kReflectsAll;
     if (value >= 1.0f) return std::min(value, kReflectsAll);
-    throw SceneError(fmt::format("ior {} is less than 1", value),
-                     source.at(pointer_ + "/extensions/KHR_materials_ior/ior"), "use 1 or more");
+    faults.forgive("number off its range", pointer_ + "/extensions/KHR_materials_ior/ior",
+                   fmt::format("ior {} is less than 1", value), "1 is taken");
+    return 1.0f;
   }
 
   /// -ln(attenuationColor) / attenuationDistance per m; no distance: infinite. A black channel gets the
@@ -142,8 +144,10 @@ MaterialSet readMaterials(const GltfDocument& document, const std::vector<bool>&
   for (std::size_t i = 0; i < isUsed.size(); ++i) {
     if (!isUsed[i]) continue;
     set.materialOfFile[i] = static_cast<uint>(set.materials.size());
+    if (const std::optional<float> factor = glossinessFactorOf(element(materials, i)))
+      set.glossiness.push_back({set.materials.size(), *factor});
     MaterialReader reader(element(materials, i), fmt::format("/materials/{}", i), textures);
-    set.materials.push_back(reader.read(document.source));
+    set.materials.push_back(reader.read(document.faults));
     set.names.push_back(stringOr(element(materials, i), "name", ""));
   }
   set.textures = textures.textures();

@@ -9,6 +9,12 @@
 
 namespace importon {
 
+/// A material whose metallicRoughnessTexture holds glossiness (specular_glossiness.h).
+struct GlossyMaterial {
+  std::size_t material = 0;
+  float factor = 1;
+};
+
 /// Materials that `isUsed` asks for, in the order of the file.
 struct MaterialSet {
   std::vector<Material> materials;
@@ -16,6 +22,7 @@ struct MaterialSet {
   std::vector<uint> materialOfFile;         // by index in the file; kNone if not used
   std::vector<Texture> textures;            // firstTexel, width and height still 0
   std::vector<std::size_t> imageOfTexture;  // index in the file
+  std::vector<GlossyMaterial> glossiness;
 };
 
 /// The material of a primitive that has none (glTF 2.0, section 3.9.7): white, metallic 1, roughness 1.

@@ -151,6 +151,12 @@ std::vector<std::uint32_t> unsignedIntegers(const Context& context, const Elemen
   return values;
 }
 
+/// How many zeros stand for an accessor without data.
+std::size_t zeroElements(const Context& context, const tinygltf::Accessor& accessor) {
+  if (accessor.count <= kMostZeroElements) return accessor.count;
+  context.fail(fmt::format("{} elements without a buffer view are more than {}", accessor.count, kMostZeroElements));
+}
+
 /// The places that a sparse accessor replaces.
 std::vector<std::uint32_t> sparseIndices(const Context& context, const tinygltf::Accessor& accessor) {
   const auto& sparse = accessor.sparse;
@@ -191,14 +197,13 @@ std::vector<glm::vec<N, float>> readFloats(const GltfDocument& document, int acc
   }
   const std::size_t bytes = componentBytes(context, accessor.componentType) * static_cast<std::size_t>(components);
   std::vector<glm::vec<N, float>> values;
+  if (accessor.count == 0) return values;
   if (accessor.bufferView >= 0) {
     const Elements elements = locate(context, accessor.bufferView, accessor.byteOffset, accessor.count, bytes);
     values.resize(elements.count, glm::vec<N, float>(1.0f));
     convertAny<N>(elements, accessor, components, values.data());
-  } else if (accessor.count <= kMostZeroElements) {
-    values.resize(accessor.count, glm::vec<N, float>(0.0f));
   } else {
-    context.fail(fmt::format("{} elements without a buffer view are more than {}", accessor.count, kMostZeroElements));
+    values.resize(zeroElements(context, accessor), glm::vec<N, float>(0.0f));
   }
   if (accessor.sparse.isSparse) applySparse<N>(context, accessor, components, bytes, values);
   return values;
@@ -211,12 +216,22 @@ template std::vector<glm::vec4> readFloats<4>(const GltfDocument&, int, const st
 std::vector<std::uint32_t> readIndices(const GltfDocument& document, int accessorIndex, const std::string& pointer) {
   const Context context{document, pointer};
   const tinygltf::Accessor& accessor = document.model.accessors[static_cast<std::size_t>(accessorIndex)];
-  if (accessor.type != TINYGLTF_TYPE_SCALAR || accessor.normalized || accessor.bufferView < 0) {
+  if (accessor.type != TINYGLTF_TYPE_SCALAR) {
     context.fail(fmt::format("accessor {} does not hold indices", accessorIndex));
   }
+  if (accessor.normalized) {
+    document.faults.forgive("normalized indices", pointer,
+                            fmt::format("accessor {} does not hold indices", accessorIndex),
+                            "its 'normalized' is passed over");
+  }
   const std::size_t bytes = componentBytes(context, accessor.componentType);
-  const Elements elements = locate(context, accessor.bufferView, accessor.byteOffset, accessor.count, bytes);
-  std::vector<std::uint32_t> values = unsignedIntegers(context, elements, accessor.componentType);
+  std::vector<std::uint32_t> values;
+  if (accessor.bufferView >= 0) {
+    const Elements elements = locate(context, accessor.bufferView, accessor.byteOffset, accessor.count, bytes);
+    values = unsignedIntegers(context, elements, accessor.componentType);
+  } else {
+    values.resize(zeroElements(context, accessor));
+  }
   if (accessor.sparse.isSparse) {
     const std::vector<std::uint32_t> places = sparseIndices(context, accessor);
     const Elements replacements =

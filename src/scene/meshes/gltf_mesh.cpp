@@ -20,10 +20,9 @@ class PartReader {
       : document_(document), primitive_(primitive), pointer_(std::move(pointer)), log_(log) {}
 
   MeshPart read(const std::vector<double>& weights) {
-    const auto position = primitive_.attributes.find("POSITION");
-    if (position == primitive_.attributes.end()) fail("POSITION is missing", "/attributes");
-    vertexCount_ = document_.model.accessors[static_cast<std::size_t>(position->second)].count;
+    vertexCount_ = vertexCount();
     MeshPart part;
+    if (vertexCount_ == 0) return part;
     part.material = primitive_.material;
     part.positions = attribute<3>("POSITION");
     part.normals = attribute<3>("NORMAL");
@@ -31,8 +30,7 @@ class PartReader {
     part.uv0 = attribute<2>("TEXCOORD_0");
     part.uv1 = attribute<2>("TEXCOORD_1");
     part.colors = attribute<4>("COLOR_0");
-    part.joints = attribute<4>("JOINTS_0");
-    part.jointWeights = attribute<4>("WEIGHTS_0");
+    part.jointSets = readJointSets();
     morph(part, weights);
     part.triangles = readTriangles();
     return part;
@@ -43,12 +41,30 @@ class PartReader {
     throw SceneError(what, document_.source.at(pointer_ + rest), kExportAgain);
   }
 
+  /// 0 where there is nothing to draw, which is told.
+  [[nodiscard]] std::size_t vertexCount() const {
+    const auto skip = [&](const char* what) {
+      document_.faults.forgive("primitive without vertices", pointer_ + "/attributes", what,
+                               "the primitive is passed over");
+      return std::size_t{0};
+    };
+    const auto position = primitive_.attributes.find("POSITION");
+    if (position == primitive_.attributes.end()) return skip("POSITION is missing");
+    const std::size_t count = countOf(position->second);
+    if (count == 0) return skip("POSITION has no elements");
+    return primitive_.indices >= 0 && countOf(primitive_.indices) == 0 ? skip("there are no indices") : count;
+  }
+
+  [[nodiscard]] std::size_t countOf(int accessor) const {
+    return document_.model.accessors[static_cast<std::size_t>(accessor)].count;
+  }
+
   template <int N>
   std::vector<glm::vec<N, float>> values(const std::map<std::string, int>& attributes, const char* name,
                                          const std::string& place) const {
     const auto entry = attributes.find(name);
     if (entry == attributes.end()) return {};
-    const std::size_t count = document_.model.accessors[static_cast<std::size_t>(entry->second)].count;
+    const std::size_t count = countOf(entry->second);
     if (count != vertexCount_) {
       fail(fmt::format("{} has {} elements but POSITION has {}", name, count, vertexCount_), place);
     }
@@ -58,6 +74,23 @@ class PartReader {
   template <int N>
   std::vector<glm::vec<N, float>> attribute(const char* name) const {
     return values<N>(primitive_.attributes, name, std::string("/attributes/") + name);
+  }
+
+  [[nodiscard]] std::vector<JointSet> readJointSets() const {
+    std::vector<JointSet> sets;
+    for (int n = 0;; ++n) {
+      const std::string joints = fmt::format("JOINTS_{}", n), weights = fmt::format("WEIGHTS_{}", n);
+      const bool hasJoints = primitive_.attributes.contains(joints),
+                 hasWeights = primitive_.attributes.contains(weights);
+      if (!hasJoints && !hasWeights) return sets;
+      if (hasJoints && hasWeights) {
+        sets.push_back({attribute<4>(joints.c_str()), attribute<4>(weights.c_str())});
+      } else {
+        document_.faults.forgive("joints without weights", pointer_ + "/attributes",
+                                 fmt::format("{} is missing", hasJoints ? weights : joints),
+                                 "this set of joints is passed over");
+      }
+    }
   }
 
   /// Adds the weighted displacements of a morph target; those of an attribute that the primitive lacks go.
@@ -91,13 +124,49 @@ class PartReader {
       return triangulate(mode, vertexCount_);
     }
     const std::string place = pointer_ + "/indices";
-    const std::vector<uint> indices = readIndices(document_, primitive_.indices, place);
+    std::vector<uint> indices = readIndices(document_, primitive_.indices, place);
     const uint largest = *std::max_element(indices.begin(), indices.end());
-    if (largest >= vertexCount_) {
-      fail(fmt::format("index {} is not among the {} vertices", largest, vertexCount_), "/indices");
-    }
+    if (largest >= vertexCount_ && largest == restartIndex()) return trianglesBetweenRestarts(mode, indices);
+    checkIndices(indices);
     warnOfRest(mode, indices.size());
     return triangulate(mode, indices);
+  }
+
+  void checkIndices(const std::vector<uint>& indices) const {
+    for (const uint index : indices) {
+      if (index < vertexCount_) continue;
+      fail(fmt::format("index {} is not among the {} vertices", index, vertexCount_), "/indices");
+    }
+  }
+
+  /// The largest value of the indices' type, which starts a primitive anew in other formats.
+  [[nodiscard]] uint restartIndex() const {
+    switch (document_.model.accessors[static_cast<std::size_t>(primitive_.indices)].componentType) {
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return 0xFFu;
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return 0xFFFFu;
+      default:
+        return 0xFFFFFFFFu;
+    }
+  }
+
+  /// glTF 2.0, section 3.7.2.1, forbids restarts; they are read as other formats mean them.
+  [[nodiscard]] std::vector<uvec3> trianglesBetweenRestarts(TriangleMode mode, const std::vector<uint>& indices) const {
+    const uint restart = restartIndex();
+    document_.faults.forgive("primitive restart", pointer_ + "/indices",
+                             fmt::format("index {} is not among the {} vertices", restart, vertexCount_),
+                             "it is taken for the start of a new strip");
+    std::vector<uvec3> triangles;
+    for (auto first = indices.begin(); first != indices.end();) {
+      const auto end = std::find(first, indices.end(), restart);
+      const std::vector<uint> run(first, end);
+      checkIndices(run);
+      const std::vector<uvec3> made = triangulate(mode, run);
+      triangles.insert(triangles.end(), made.begin(), made.end());
+      first = end == indices.end() ? end : end + 1;
+    }
+    return triangles;
   }
 
   void warnOfRest(TriangleMode mode, std::size_t corners) const {
@@ -119,8 +188,8 @@ uint duplicateVertex(MeshPart& part, uint vertex) {
   const auto duplicate = [vertex](auto&... attributes) {
     ((attributes.empty() ? void() : attributes.push_back(attributes[vertex])), ...);
   };
-  duplicate(part.positions, part.normals, part.tangents, part.uv0, part.uv1, part.colors, part.joints,
-            part.jointWeights);
+  duplicate(part.positions, part.normals, part.tangents, part.uv0, part.uv1, part.colors);
+  for (JointSet& set : part.jointSets) duplicate(set.joints, set.weights);
   return static_cast<uint>(part.positions.size() - 1);
 }
 
@@ -134,7 +203,8 @@ std::vector<MeshPart> readMesh(const GltfDocument& document, std::size_t mesh, c
       log.warn("points and lines", fmt::format("{}: points and lines are passed over", document.source.at(pointer)));
       continue;
     }
-    parts.push_back(PartReader(document, primitives[i], pointer, log).read(weights));
+    MeshPart part = PartReader(document, primitives[i], pointer, log).read(weights);
+    if (!part.positions.empty()) parts.push_back(std::move(part));
   }
   return parts;
 }

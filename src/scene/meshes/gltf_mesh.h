@@ -9,6 +9,12 @@
 
 namespace importon {
 
+/// JOINTS_n and WEIGHTS_n, each as long as the positions.
+struct JointSet {
+  std::vector<vec4> joints;  // indices into the joints of a skin
+  std::vector<vec4> weights;
+};
+
 /// One primitive. Attributes are empty or as long as `positions`; values may be non-finite.
 struct MeshPart {
   std::vector<vec3> positions;
@@ -16,18 +22,17 @@ struct MeshPart {
   std::vector<vec4> tangents;  // w: sign of the bitangent
   std::vector<vec2> uv0;
   std::vector<vec2> uv1;
-  std::vector<vec4> colors;        // linear
-  std::vector<vec4> joints;        // JOINTS_0: indices into the joints of a skin
-  std::vector<vec4> jointWeights;  // WEIGHTS_0
-  std::vector<uvec3> triangles;    // indices into the above, counter-clockwise front
-  int material = -1;               // in the file; -1: the default material
+  std::vector<vec4> colors;  // linear
+  std::vector<JointSet> jointSets;
+  std::vector<uvec3> triangles;  // indices into the above, counter-clockwise front
+  int material = -1;             // in the file; -1: the default material
 };
 
 /// Appends a copy of a vertex, with all its attributes; returns its index.
 uint duplicateVertex(MeshPart& part, uint vertex);
 
-/// Reads the primitives of a mesh with its morph targets applied at `weights`. Points and lines are passed over
-/// with a warning. Throws SceneError.
+/// Reads the primitives of a mesh with its morph targets applied at `weights`. Points and lines, and primitives without
+/// vertices, are passed over with a warning. Throws SceneError.
 [[nodiscard]] std::vector<MeshPart> readMesh(const GltfDocument& document, std::size_t mesh,
                                              const std::vector<double>& weights, Log& log);
 

@@ -12,17 +12,19 @@ namespace {
 glm::dmat4 vertexMatrix(const MeshPart& part, const SkinPose& pose, std::size_t vertex, const GltfSource& source) {
   glm::dmat4 sum(0.0);
   double weights = 0;
-  for (int k = 0; k < 4; ++k) {
-    const double weight = part.jointWeights[vertex][k];
-    if (!(weight > 0)) continue;
-    const auto joint = static_cast<double>(part.joints[vertex][k]);
-    if (!(joint >= 0 && joint < static_cast<double>(pose.worldFromObject.size()))) {
-      throw SceneError(
-          fmt::format("joint {} of a vertex is not among the {} of the skin", joint, pose.worldFromObject.size()),
-          source.at(pose.pointer + "/joints"), kExportAgain);
+  for (const JointSet& set : part.jointSets) {
+    for (int k = 0; k < 4; ++k) {
+      const double weight = set.weights[vertex][k];
+      if (!(weight > 0)) continue;
+      const auto joint = static_cast<double>(set.joints[vertex][k]);
+      if (!(joint >= 0 && joint < static_cast<double>(pose.worldFromObject.size()))) {
+        throw SceneError(
+            fmt::format("joint {} of a vertex is not among the {} of the skin", joint, pose.worldFromObject.size()),
+            source.at(pose.pointer + "/joints"), kExportAgain);
+      }
+      sum += pose.worldFromObject[static_cast<std::size_t>(joint)] * weight;
+      weights += weight;
     }
-    sum += pose.worldFromObject[static_cast<std::size_t>(joint)] * weight;
-    weights += weight;
   }
   return weights > 0 ? sum / weights : pose.worldFromObject[0];
 }
@@ -70,9 +72,6 @@ SkinPose readSkinPose(const GltfDocument& document, std::size_t skinIndex,
 
 MeshPart posePart(const MeshPart& part, const SkinPose& pose, const GltfSource& source) {
   MeshPart posed = part;
-  if (part.joints.empty() || part.jointWeights.empty()) {
-    throw SceneError("a skinned mesh has no JOINTS_0 or WEIGHTS_0", source.at(pose.pointer), kExportAgain);
-  }
   std::vector<bool> isMirrored(part.positions.size());
   for (std::size_t i = 0; i < part.positions.size(); ++i) {
     const glm::dmat4 worldFromObject = vertexMatrix(part, pose, i, source);

@@ -19,8 +19,8 @@ struct SkinPose {
 [[nodiscard]] SkinPose readSkinPose(const GltfDocument& document, std::size_t skin,
                                     std::span<const PlacedNode* const> placedNodes);
 
-/// The part in world space, each vertex moved by the weighted mean of its joints' matrices (glTF 2.0, section
-/// 3.7.3.3; four joints a vertex). Vertices without weights follow the first joint. Throws SceneError.
+/// The part in world space, each vertex moved by the weighted mean of its joints' matrices, those of all its sets (glTF
+/// 2.0, section 3.7.3.3). Vertices without weights follow the first joint. Throws SceneError.
 [[nodiscard]] MeshPart posePart(const MeshPart& part, const SkinPose& pose, const GltfSource& source);
 
 }  // namespace importon

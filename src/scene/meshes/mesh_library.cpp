@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
+
 #include "base/error.h"
-#include "scene/meshes/gltf_skin.h"
+#include "scene/nodes/gltf_instancing.h"
 
 namespace importon {
 
@@ -19,39 +22,60 @@ const std::vector<const MeshPart*>& MeshLibrary::partsOf(const tinygltf::Node& n
   return entry->second;
 }
 
-void MeshLibrary::count(const std::vector<const MeshPart*>& parts) {
+void MeshLibrary::count(const MeshPart& part, std::size_t copies) {
   constexpr std::size_t kMost = std::size_t{1} << 26;
-  for (const MeshPart* part : parts) {
-    vertices_ += part->positions.size();
-    triangles_ += part->triangles.size();
-    if (vertices_ <= kMost && triangles_ <= kMost) continue;
-    throw SceneError(fmt::format("the scene has more than {} triangles or vertices, instances included", kMost),
-                     document_.source.name(), "reduce the scene");
+  const std::size_t largest = std::max({part.positions.size(), part.triangles.size(), std::size_t{1}});
+  const bool fits = copies <= kMost / largest;
+  if (fits) {
+    vertices_ += part.positions.size() * copies;
+    triangles_ += part.triangles.size() * copies;
+  }
+  if (fits && vertices_ <= kMost && triangles_ <= kMost) return;
+  throw SceneError(fmt::format("the scene has more than {} triangles or vertices, instances included", kMost),
+                   document_.source.name(), "reduce the scene");
+}
+
+void MeshLibrary::addRigid(const MeshPart& part, const PlacedNode& placed,
+                           const std::vector<glm::dmat4>& nodeFromInstances) {
+  count(part, nodeFromInstances.size());
+  for (const glm::dmat4& nodeFromInstance : nodeFromInstances) {
+    instances_.push_back({&part, placed.worldFromObject * nodeFromInstance, 0});
   }
 }
 
+void MeshLibrary::addPosed(const MeshPart& part, const SkinPose& pose) {
+  count(part, 1);
+  parts_.push_back(posePart(part, pose, document_.source));
+  instances_.push_back({&parts_.back(), glm::dmat4(1.0), 0});
+}
+
 std::vector<MeshInstance> MeshLibrary::instances(std::span<const PlacedNode> nodes) {
-  std::vector<MeshInstance> instances;
   std::vector<const PlacedNode*> placedNodes(document_.model.nodes.size(), nullptr);
   for (const PlacedNode& placed : nodes) placedNodes[placed.node] = &placed;
   for (const PlacedNode& placed : nodes) {
     const tinygltf::Node& node = document_.model.nodes[placed.node];
-    if (node.mesh < 0) continue;
-    const std::vector<const MeshPart*>& parts = partsOf(node);
-    count(parts);
-    if (node.skin < 0) {
-      for (const MeshPart* part : parts) instances.push_back({part, placed.worldFromObject, 0});
-      continue;
+    if (node.mesh < 0 || placed.isHidden) continue;
+    const std::string pointer = fmt::format("/nodes/{}", placed.node);
+    const std::vector<glm::dmat4> nodeFromInstances = readInstances(document_, placed.node);
+    std::optional<SkinPose> pose;
+    if (node.skin >= 0) {
+      pose = readSkinPose(document_, static_cast<std::size_t>(node.skin), placedNodes);
+      log_.warn("skinned mesh",
+                fmt::format("{}: the mesh stands as the joints' own transforms pose it", document_.source.at(pointer)));
     }
-    const SkinPose pose = readSkinPose(document_, static_cast<std::size_t>(node.skin), placedNodes);
-    log_.warn("skinned mesh", fmt::format("{}: the mesh stands as the joints' own transforms pose it",
-                                          document_.source.at(fmt::format("/nodes/{}", placed.node))));
-    for (const MeshPart* part : parts) {
-      parts_.push_back(posePart(*part, pose, document_.source));
-      instances.push_back({&parts_.back(), glm::dmat4(1.0), 0});
+    for (const MeshPart* part : partsOf(node)) {
+      if (pose && !part->jointSets.empty()) {
+        addPosed(*part, *pose);
+        continue;
+      }
+      if (pose) {
+        document_.faults.forgive("skinned mesh without joints", pointer, "a skinned mesh has no JOINTS_0 or WEIGHTS_0",
+                                 "it stands where its node does");
+      }
+      addRigid(*part, placed, nodeFromInstances);
     }
   }
-  return instances;
+  return std::move(instances_);
 }
 
 }  // namespace importon

@@ -9,6 +9,7 @@
 #include "base/log.h"
 #include "scene/geometry.h"
 #include "scene/meshes/gltf_mesh.h"
+#include "scene/meshes/gltf_skin.h"
 #include "scene/nodes/gltf_nodes.h"
 
 namespace importon {
@@ -18,8 +19,9 @@ class MeshLibrary {
   MeshLibrary(const GltfDocument& document, Log& log) : document_(document), log_(log) {}
 
   /// An instance for each part of each mesh that `nodes` show, its material still 0. Nodes of one mesh and
-  /// equal morph weights share parts; a skinned mesh is posed by its joints, in the world. Throws SceneError,
-  /// also when there are more than 2^26 triangles or vertices, instances included.
+  /// equal morph weights share parts; a skinned mesh is posed by its joints, in the world; EXT_mesh_gpu_instancing
+  /// gives several instances a node; hidden nodes give none. To be called once. Throws SceneError, also when there are
+  /// more than 2^26 triangles or vertices, instances included.
   [[nodiscard]] std::vector<MeshInstance> instances(std::span<const PlacedNode> nodes);
 
   /// All parts that instances refer to.
@@ -28,11 +30,14 @@ class MeshLibrary {
  private:
   using Variant = std::pair<std::size_t, std::vector<double>>;  // mesh, morph weights
   const std::vector<const MeshPart*>& partsOf(const tinygltf::Node& node);
-  void count(const std::vector<const MeshPart*>& parts);
+  void count(const MeshPart& part, std::size_t copies);
+  void addRigid(const MeshPart& part, const PlacedNode& placed, const std::vector<glm::dmat4>& nodeFromInstances);
+  void addPosed(const MeshPart& part, const SkinPose& pose);
 
   const GltfDocument& document_;
   Log& log_;
   std::deque<MeshPart> parts_;
+  std::vector<MeshInstance> instances_;
   std::map<Variant, std::vector<const MeshPart*>> variants_;
   std::size_t vertices_ = 0;
   std::size_t triangles_ = 0;

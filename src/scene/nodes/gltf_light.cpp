@@ -13,20 +13,24 @@
 namespace importon {
 namespace {
 
-/// The cosines of the cone, apart by at least what a float can divide by.
-void setCone(const tinygltf::Light& source, const std::string& where, Light& light) {
+/// The cosines of the cone, apart by at least what a float can divide by. Angles that are out of order make the
+/// sharpest cone that they allow.
+void setCone(const tinygltf::Light& source, const std::string& pointer, const GltfDocument& document, Light& light) {
   const double inner = source.spot.innerConeAngle;
   const double outer = source.spot.outerConeAngle;
-  if (!(inner <= outer && outer > 0 && outer <= glm::half_pi<double>() + 1e-6)) {
-    throw SceneError(fmt::format("cone angles {} and {} are not 0 <= inner <= outer <= pi/2", inner, outer), where,
-                     kExportAgain);
+  const std::string what = fmt::format("cone angles {} and {} are not 0 <= inner <= outer <= pi/2", inner, outer);
+  if (!(outer > 0)) throw SceneError(what, document.source.at(pointer), kExportAgain);
+  if (inner > outer || outer > glm::half_pi<double>() + 1e-6) {
+    document.faults.forgive("cone angles out of order", pointer, what, "they are clamped to it");
   }
   constexpr double kLeastGap = 1e-6;
-  light.cosOuter = static_cast<float>(std::min(std::cos(outer), 1.0 - kLeastGap));
+  const double cosOuter = std::cos(std::min(outer, glm::half_pi<double>() + 1e-6));
+  light.cosOuter = static_cast<float>(std::min(cosOuter, 1.0 - kLeastGap));
   light.cosInner = std::max(static_cast<float>(std::cos(inner)), light.cosOuter + static_cast<float>(kLeastGap));
 }
 
-Light readLight(const tinygltf::Light& source, const std::string& where, float sceneRadius) {
+Light readLight(const GltfDocument& document, std::size_t index, float sceneRadius) {
+  const tinygltf::Light& source = document.model.lights[index];
   Light light{};
   light.triangle = kNone;
   vec3 color(1.0f);
@@ -37,7 +41,7 @@ Light readLight(const tinygltf::Light& source, const std::string& where, float s
     light.power = pointPower(light.emission);
   } else if (source.type == "spot") {
     light.kind = kLightSpot;
-    setCone(source, where, light);
+    setCone(source, fmt::format("/extensions/KHR_lights_punctual/lights/{}", index), document, light);
     light.power = spotPower(light.emission, light.cosInner, light.cosOuter);
   } else {
     light.kind = kLightDirectional;
@@ -69,9 +73,8 @@ std::vector<Light> readPunctualLights(const GltfDocument& document, std::span<co
   for (const PlacedNode& placed : nodes) {
     const nlohmann::json& use = member(element(jsonNodes, placed.node), "extensions", "KHR_lights_punctual");
     const int index = integerOr(use, "light", -1);
-    if (index < 0) continue;
-    const std::string where = document.source.at(fmt::format("/extensions/KHR_lights_punctual/lights/{}", index));
-    Light light = readLight(document.model.lights[static_cast<std::size_t>(index)], where, sceneRadius);
+    if (index < 0 || placed.isHidden) continue;
+    Light light = readLight(document, static_cast<std::size_t>(index), sceneRadius);
     place(placed.worldFromObject, worldFromRender, document.source.at(fmt::format("/nodes/{}", placed.node)), light);
     if (light.power > 0) lights.push_back(light);
   }

@@ -2,45 +2,51 @@
 
 #include <fmt/format.h>
 
-#include <glm/gtc/quaternion.hpp>
+#include <algorithm>
+#include <tuple>
 
 #include "base/error.h"
 #include "scene/container/gltf_advice.h"
+#include "scene/container/gltf_json.h"
+#include "scene/nodes/transform.h"
 
 namespace importon {
 namespace {
 
 std::string nodePointer(std::size_t node, const char* rest = "") { return fmt::format("/nodes/{}{}", node, rest); }
 
-glm::dvec3 vectorOr(const std::vector<double>& values, double otherwise) {
-  return values.size() == 3 ? glm::dvec3(values[0], values[1], values[2]) : glm::dvec3(otherwise);
-}
-
-glm::dmat4 matrixOf(const std::vector<double>& values, std::size_t node, const GltfSource& source) {
+/// The last row of the matrix may be off 0 0 0 1 by rounding; then all is divided by its last element.
+glm::dmat4 affine(const std::vector<double>& values, std::size_t node, const GltfSource& source, const Faults& faults) {
+  constexpr double kRounding = 1e-4;
   glm::dmat4 matrix;
   for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = values[static_cast<std::size_t>(i)];
-  const bool isAffine = matrix[0].w == 0 && matrix[1].w == 0 && matrix[2].w == 0 && matrix[3].w == 1;
-  if (isAffine) return matrix;
-  throw SceneError("the last row of the matrix is not 0 0 0 1", source.at(nodePointer(node, "/matrix")), kExportAgain);
+  const glm::dvec4 row(matrix[0].w, matrix[1].w, matrix[2].w, matrix[3].w);
+  const glm::dvec4 off = glm::abs(row - glm::dvec4(0, 0, 0, 1));
+  const double most = std::max(std::max(off.x, off.y), std::max(off.z, off.w));
+  if (most == 0) return matrix;
+  const std::string pointer = nodePointer(node, "/matrix");
+  const char* what = "the last row of the matrix is not 0 0 0 1";
+  if (!(most <= kRounding)) throw SceneError(what, source.at(pointer), kExportAgain);
+  faults.forgive("matrix off by rounding", pointer, what, "it is taken for that");
+  matrix /= row.w;
+  for (int column = 0; column < 4; ++column) matrix[column].w = column == 3 ? 1.0 : 0.0;
+  return matrix;
 }
 
-/// glTF 2.0, section 3.5.3: T R S.
-glm::dmat4 parentFromNode(const tinygltf::Node& node, std::size_t index, const GltfSource& source) {
-  if (!node.matrix.empty()) return matrixOf(node.matrix, index, source);
-  glm::dmat4 result(1.0);
-  if (!node.rotation.empty()) {
-    const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
-    const double length = glm::length(rotation);
-    if (!(length > 0) || !std::isfinite(length)) {
-      throw SceneError("the rotation is not a unit quaternion", source.at(nodePointer(index, "/rotation")),
-                       kExportAgain);
-    }
-    result = glm::mat4_cast(rotation / length);
-  }
-  const glm::dvec3 scale = vectorOr(node.scale, 1.0);
-  for (int axis = 0; axis < 3; ++axis) result[axis] *= scale[axis];
-  result[3] = glm::dvec4(vectorOr(node.translation, 0.0), 1.0);
-  return result;
+glm::dmat4 parentFromNode(const tinygltf::Node& node, std::size_t index, const GltfDocument& document) {
+  if (!node.matrix.empty()) return affine(node.matrix, index, document.source, document.faults);
+  Transform transform;
+  const auto& [t, r, s] = std::tie(node.translation, node.rotation, node.scale);
+  if (!t.empty()) transform.translation = {t[0], t[1], t[2]};
+  if (!r.empty()) transform.rotation = {r[0], r[1], r[2], r[3]};
+  if (!s.empty()) transform.scale = {s[0], s[1], s[2]};
+  return matrixOf(transform, document.faults, nodePointer(index, "/rotation"));
+}
+
+/// KHR_node_visibility; what lies below a hidden node is hidden with it.
+bool isHidden(const GltfDocument& document, std::size_t node) {
+  const nlohmann::json& json = element(member(document.json, "nodes"), node);
+  return !booleanOr(member(json, "extensions", "KHR_node_visibility"), "visible", true);
 }
 
 /// Parent of each node, or kNoParent.
@@ -120,15 +126,16 @@ std::vector<PlacedNode> placeNodes(const GltfDocument& document) {
   const std::vector<std::size_t> roots = sceneRoots(document, parent);
   std::vector<PlacedNode> placed;
   std::vector<PlacedNode> pending;  // `worldFromObject` still the parent's
-  for (auto root = roots.rbegin(); root != roots.rend(); ++root) pending.push_back({*root, glm::dmat4(1.0)});
+  for (auto root = roots.rbegin(); root != roots.rend(); ++root) pending.push_back({*root, glm::dmat4(1.0), false});
   while (!pending.empty()) {
     PlacedNode next = pending.back();
     pending.pop_back();
     const tinygltf::Node& node = nodes[next.node];
-    next.worldFromObject = next.worldFromObject * parentFromNode(node, next.node, document.source);
+    next.worldFromObject = next.worldFromObject * parentFromNode(node, next.node, document);
+    next.isHidden = next.isHidden || isHidden(document, next.node);
     placed.push_back(next);
     for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
-      pending.push_back({static_cast<std::size_t>(*child), next.worldFromObject});
+      pending.push_back({static_cast<std::size_t>(*child), next.worldFromObject, next.isHidden});
     }
   }
   return placed;

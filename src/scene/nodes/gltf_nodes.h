@@ -11,6 +11,7 @@ namespace importon {
 struct PlacedNode {
   std::size_t node = 0;
   glm::dmat4 worldFromObject{1.0};  // affine
+  bool isHidden = false;            // its mesh and light are not drawn; joints and cameras work
 };
 
 /// The scene to show: the file's default, else its first; kNoScene when the file has no scene.

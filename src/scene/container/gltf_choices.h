@@ -1,0 +1,15 @@
+/// What a file offers to choose from: scenes, and variants of materials.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+
+#include "scene/container/file_choices.h"
+
+namespace importon {
+
+/// Makes the choice the document's own: its "scene" becomes the one that is chosen, and primitives get the materials of
+/// the chosen variant (KHR_materials_variants). A variant that a primitive does not map leaves its material. The
+/// document has passed checkSchema. Throws UsageError, with the names that there are, where a choice names none of
+/// them.
+void applyChoices(nlohmann::json& document, const FileChoices& choices);
+
+}  // namespace importon
