@@ -22,6 +22,7 @@ LoadOptions loadOptions(const RenderJob& job) {
   options.environment = readEnvironmentFile(job.environment);
   options.environmentRotation = job.environmentRotation;
   if (job.width && job.height) options.frameAspect = static_cast<double>(*job.width) / *job.height;
+  options.file = {job.isStrict ? Strictness::strict : Strictness::forgiving, job.sceneName, job.variant};
   options.outside = job.allowsOutsideFiles ? OutsideFiles::allowed : OutsideFiles::refused;
   return options;
 }

@@ -114,7 +114,7 @@ bool isEveryday(const CLI::Option& option) {
 }  // namespace
 
 void addSceneOptions(CLI::App& app, RenderJob& job) {
-  for (const char* name : {"--light", "--environment", "--allow-outside-files"})
+  for (const char* name : {"--scene", "--variant", "--light", "--environment", "--strict", "--allow-outside-files"})
     addRow(app, rowOf(name), job, "Options");
 }
 

@@ -38,8 +38,17 @@ std::string cameraText(const Camera& camera) {
   return text;
 }
 
+std::string choiceText(const char* kind, const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += fmt::format("{:<10} {}\n", fmt::format("{} {}", kind, i), names[i].empty() ? "(unnamed)" : names[i]);
+  return text;
+}
+
 Json cameraJson(const Camera& camera) {
-  Json json{{"name", camera.name}, {"type", camera.isOrthographic ? "orthographic" : "perspective"}};
+  Json json{{"name", camera.name},
+            {"node", camera.nodeName},
+            {"type", camera.isOrthographic ? "orthographic" : "perspective"}};
   if (camera.isOrthographic) {
     json["xmag"] = camera.xmag;
     json["ymag"] = camera.ymag;
@@ -75,6 +84,8 @@ std::string summaryText(const Scene& scene, std::span<const FeatureRow> features
   }
   if (scene.isInStudio) text += ": the studio, instead of an environment of the scene";
   text += "\n";
+  text += choiceText("scene", scene.sceneNames.size() > 1 ? scene.sceneNames : std::vector<std::string>());
+  text += choiceText("variant", scene.variantNames);
   for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
     text += fmt::format("camera {}   {}{}\n", i, cameraText(scene.cameras[i]),
                         scene.hasCameraInFile ? "" : " (none in the file: this one frames the scene)");
@@ -95,6 +106,8 @@ std::string summaryJson(const Scene& scene, std::span<const FeatureRow> features
   root["lights"] = Json{{"total", scene.lights.size()}};
   for (const LightKind& light : kLightKinds) root["lights"][light.name] = countLights(scene, light.kind);
   root["light"] = lightName(scene);
+  root["scenes"] = scene.sceneNames;
+  root["variants"] = scene.variantNames;
   root["cameras"] = Json::array();
   for (const Camera& camera : scene.cameras) root["cameras"].push_back(cameraJson(camera));
   root["has_camera_in_file"] = scene.hasCameraInFile;

@@ -40,7 +40,10 @@ struct RenderJob {
   std::filesystem::path png;         // empty: none
   std::optional<int> width, height;  // pixels
   PixelFilter filter = PixelFilter::box;
-  std::string camera;  // name or index; empty: the first
+  std::string camera;     // name or index; empty: the first
+  std::string sceneName;  // which scene of the file, by name or index; empty: the file's choice
+  std::string variant;    // of KHR_materials_variants; empty: none
+  bool isStrict = false;  // small faults of the file are refused
   Integrator integrator = Integrator::photon;
   std::optional<int> passes;               // at most
   std::optional<double> seconds;           // wall clock since the process started

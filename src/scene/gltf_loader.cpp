@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "scene/container/gltf_choices.h"
 #include "scene/container/gltf_document.h"
 #include "scene/container/gltf_resources.h"
 #include "scene/environment.h"
@@ -132,6 +133,8 @@ Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem
   scene.textures = std::move(set.textures);
   scene.materials = std::move(set.materials);
   scene.materialNames = std::move(set.names);
+  scene.sceneNames = sceneNames(document.json);
+  scene.variantNames = variantNames(document.json);
   addCameras(document, nodes, options.frameAspect, scene);
   addLights(document, nodes, options, scene, log);
   return scene;

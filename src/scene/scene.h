@@ -13,6 +13,7 @@ namespace importon {
 /// A glTF camera in the world. Looks along -z of worldFromCamera, y up.
 struct Camera {
   std::string name;
+  std::string nodeName;
   bool isOrthographic = false;
   double yfov = 0.8;                // radians, perspective
   double aspectRatio = 0;           // 0: not given
@@ -45,8 +46,9 @@ struct Scene {
   glm::dvec3 worldFromRender{0.0};
   vec3 boundsMin{0}, boundsMax{0};  // render space
   std::optional<EnvironmentMap> environment;
-  bool isInStudio = false;      // the environment is that of scene/studio.h
-  bool hasCameraInFile = true;  // false: cameras[0] was made to frame the scene
+  std::vector<std::string> sceneNames, variantNames;  // what the file offers to choose from
+  bool isInStudio = false;                            // the environment is that of scene/studio.h
+  bool hasCameraInFile = true;                        // false: cameras[0] was made to frame the scene
 };
 
 }  // namespace importon

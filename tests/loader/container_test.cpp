@@ -77,5 +77,145 @@ TEST(Container, BracketsInStringsAreNoNesting) {
   EXPECT_EQ(errorOf(builder), "");
 }
 
+struct Chunk {
+  const char* type;  // four characters
+  Bytes payload;
+};
+
+void append(Bytes& bytes, std::uint32_t word) {
+  for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<unsigned char>(word >> shift));
+}
+
+/// A .glb of any chunks, which are written as they are, with no padding added.
+Bytes glbOf(const std::vector<Chunk>& chunks) {
+  Bytes bytes = toBytes("glTF");
+  append(bytes, 2);
+  append(bytes, 0);
+  for (const Chunk& chunk : chunks) {
+    append(bytes, static_cast<std::uint32_t>(chunk.payload.size()));
+    bytes.insert(bytes.end(), chunk.type, chunk.type + 4);
+    bytes.insert(bytes.end(), chunk.payload.begin(), chunk.payload.end());
+  }
+  const auto size = static_cast<std::uint32_t>(bytes.size());
+  std::memcpy(bytes.data() + 8, &size, sizeof size);
+  return bytes;
+}
+
+/// The JSON of a triangle in a buffer of its own, or in the BIN chunk; `padding` follows it, to a multiple of 4 and
+/// more.
+Bytes jsonOf(bool hasUri, const std::string& padding = "") {
+  GltfBuilder builder = GltfBuilder::emissiveTriangle();
+  Json buffer{{"byteLength", builder.binary.size()}};
+  if (hasUri) buffer["uri"] = "data:application/octet-stream;base64," + base64(builder.binary);
+  builder.json["buffers"] = Json::array({buffer});
+  std::string text = builder.json.dump();
+  while (text.size() % 4 != 0) text += ' ';
+  return toBytes(text + padding);
+}
+
+const Bytes kTriangle = GltfBuilder::emissiveTriangle().binary;
+
+std::string kindOf(const Bytes& file) {
+  const std::vector<Warning> warnings = warningsOf(file);
+  return warnings.size() == 1 ? warnings[0].kind : std::to_string(warnings.size());
+}
+
+TEST(Container, UnknownChunksArePassedOver) {
+  const Bytes eight(8, 7);
+  for (const Bytes& file : {glbOf({{"JSON", jsonOf(true)}, {"ABCD", eight}}),
+                            glbOf({{"JSON", jsonOf(true)}, {"ABCD", {}}, {"EFGH", eight}}),
+                            glbOf({{"JSON", jsonOf(false)}, {"ABCD", eight}, {"BIN\0", kTriangle}}),
+                            glbOf({{"JSON", jsonOf(false)}, {"BIN\0", kTriangle}, {"ABCD", eight}})}) {
+    EXPECT_EQ(errorOf(file), "");
+    EXPECT_EQ(errorOf(file, kStrict), "");
+  }
+  EXPECT_EQ(kindOf(glbOf({{"JSON", jsonOf(true)}, {"ABCD", eight}})), "unknown chunk");
+}
+
+TEST(Container, ABinChunkMayBeMissingOrEmptyWhereNoBufferNeedsIt) {
+  EXPECT_EQ(kindOf(glbOf({{"JSON", jsonOf(true)}})), "0");
+  EXPECT_EQ(kindOf(glbOf({{"JSON", jsonOf(true)}, {"BIN\0", {}}})), "0");
+  EXPECT_NE(errorOf(glbOf({{"JSON", jsonOf(false)}})).find("neither 'uri' nor a BIN chunk"), std::string::npos);
+}
+
+TEST(Container, AWrongLengthInTheHeaderIsASmallFault) {
+  for (const std::uint32_t length : {0u, 4u, 40u, 0xFFFFFFFFu}) {
+    EXPECT_EQ(kindOf(glbWithWord(8, length)), "wrong length of a .glb") << length;
+    EXPECT_NE(errorOf(glbWithWord(8, length), kStrict), "") << length;
+  }
+}
+
+TEST(Container, ChunksWithoutPaddingAreASmallFault) {
+  const Bytes file = glbOf({{"JSON", jsonOf(false, " ")}, {"BIN\0", kTriangle}});
+  EXPECT_EQ(kindOf(file), "chunk without padding");
+  EXPECT_NE(errorOf(file, kStrict).find("starts at byte"), std::string::npos);
+}
+
+TEST(Container, ALengthThatDoesNotCountThePaddingIsUnderstood) {
+  Bytes file = glbOf({{"JSON", jsonOf(false, "    ")}, {"BIN\0", kTriangle}});
+  std::uint32_t length = 0;
+  std::memcpy(&length, file.data() + 12, sizeof length);
+  length -= 3;
+  std::memcpy(file.data() + 12, &length, sizeof length);
+  EXPECT_EQ(errorOf(file), "");
+}
+
+TEST(LenientJson, CommentsAndTrailingCommasAreSmallFaults) {
+  const std::string json = GltfBuilder::emissiveTriangle().json.dump();
+  const std::string inside = json.substr(1, json.size() - 2);
+  const auto file = [](const std::string& text) { return glbOf({{"JSON", toBytes(text)}, {"BIN\0", kTriangle}}); };
+  const std::string buffers = R"(,"buffers":[{"byteLength":36}])";
+  const auto padded = [&](std::string text, char fill) {
+    while (text.size() % 4 != 0) text += fill;
+    return file(text);
+  };
+  for (const std::string& text :
+       {"{" + inside + buffers + ",}", "{" + inside + buffers.substr(0, buffers.size() - 1) + ",]}",
+        "{ // why \"not\", }\n" + inside + buffers + "}", "{ /* [[ \" */" + inside + buffers + "/**/}",
+        "{" + inside + buffers + "} // end"}) {
+    EXPECT_EQ(kindOf(padded(text, ' ')), "JSON with extras") << text;
+    EXPECT_NE(errorOf(padded(text, ' '), kStrict).find("the JSON is malformed"), std::string::npos) << text;
+  }
+  const std::string whole = "{" + inside + buffers + "}" + "    ";
+  EXPECT_EQ(kindOf(padded(whole + std::string(4, '\0'), '\0')), "0");
+}
+
+TEST(LenientJson, KeepsWhatStandsInStrings) {
+  GltfBuilder builder = GltfBuilder::emissiveTriangle();
+  builder.json["nodes"][0]["name"] = "a // b /* c */ ,] \" ,}";
+  builder.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}});
+  builder.json["nodes"][0]["camera"] = 0;
+  std::string text = builder.json.dump();
+  text.insert(1, "/**/");
+  text.insert(text.size() - 1, R"(,"buffers":[{"byteLength":36}])");
+  while (text.size() % 4 != 0) text += ' ';
+  Log log(Log::Verbosity::quiet);
+  const Scene scene = load(glbOf({{"JSON", toBytes(text)}, {"BIN\0", kTriangle}}), log);
+  EXPECT_EQ(scene.cameras.at(0).nodeName, "a // b /* c */ ,] \" ,}");
+}
+
+TEST(LenientJson, NanAndInfinityAreNamed) {
+  for (const char* word : {"NaN", "Infinity", "-Infinity", "nan", "inf"}) {
+    const std::string error = errorOf(toBytes(R"({"asset":{"version":"2.0"},"x":)" + std::string(word) + "}"));
+    EXPECT_NE(error.find("for a number at byte 3"), std::string::npos) << error;
+    EXPECT_EQ(error.find('\n'), std::string::npos);
+  }
+}
+
+TEST(LenientJson, DepthIsBoundedBehindCommentsToo) {
+  const std::string deep(1000000, '[');
+  EXPECT_NE(errorOf(toBytes("{/*\"*/\"a\":" + deep)).find("nested deeper"), std::string::npos);
+}
+
+TEST(Container, TheJsonChunkMayBeginWithAByteOrderMark) {
+  EXPECT_EQ(errorOf(glbOf({{"JSON",
+                            [] {
+                              Bytes json = jsonOf(true);
+                              json.insert(json.begin(), {0xEF, 0xBB, 0xBF, ' '});
+                              return json;
+                            }()}})),
+            "");
+}
+
 }  // namespace
 }  // namespace importon::test

@@ -51,6 +51,16 @@ OptionRow background() {
   return std::move(row).forImage();
 }
 
+OptionRow name(const char* option, const char* help, std::string RenderJob::*member) {
+  return {option,
+          "NAME",
+          help,
+          Group::image,
+          {},
+          [member](RenderJob& job, const std::string& given) { job.*member = given; },
+          [member](const RenderJob& job) { return job.*member; }};
+}
+
 }  // namespace
 
 std::vector<OptionRow> imageOptions() {
@@ -62,14 +72,10 @@ std::vector<OptionRow> imageOptions() {
       number(Group::image, "--height", "PIXELS", &RenderJob::height, pixels,
              "height of the image (default: by the camera's aspect ratio)")
           .everyday(),
-      OptionRow{"--camera",
-                "NAME",
-                "which glTF camera, by name or index (default: the first)",
-                Group::image,
-                {},
-                [](RenderJob& job, const std::string& given) { job.camera = given; },
-                [](const RenderJob& job) { return job.camera; }}
+      name("--camera", "which camera, by its name, its node's or index (default: the first)", &RenderJob::camera)
           .everyday(),
+      name("--scene", "which scene of the file, by name or index (default: the file's\nchoice)", &RenderJob::sceneName),
+      name("--variant", "which variant of the materials, by name or index (default: none)", &RenderJob::variant),
       choice<PixelFilter>(Group::image, "--filter", &RenderJob::filter,
                           {{"box", PixelFilter::box},
                            {"gaussian", PixelFilter::gaussian},

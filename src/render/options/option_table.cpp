@@ -291,6 +291,8 @@ Rows runOptions() {
           .forImage(),
       flag(Group::machine, "--allow-outside-files", &RenderJob::allowsOutsideFiles,
            "let SCENE name buffers and images outside its folder, which\nonly a scene that you trust should"),
+      flag(Group::checks, "--strict", &RenderJob::isStrict,
+           "refuse SCENE for small faults, which are otherwise mended with a\nwarning"),
       flag(Group::checks, "--validation", &RenderJob::validation, "Vulkan validation layers"),
       flag(Group::checks, "--all-features", &RenderJob::forcesAllFeatures,
            "model every feature, whether the scene needs it or not:\nslower, the same image")};

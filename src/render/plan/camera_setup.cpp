@@ -12,6 +12,8 @@ const Camera& chooseCamera(const Scene& scene, const RenderJob& job) {
   if (job.camera.empty()) return scene.cameras.front();
   for (const Camera& camera : scene.cameras)
     if (camera.name == job.camera) return camera;
+  for (const Camera& camera : scene.cameras)
+    if (camera.nodeName == job.camera) return camera;
   std::size_t index = 0;
   const char* end = job.camera.data() + job.camera.size();
   const auto parsed = std::from_chars(job.camera.data(), end, index);

@@ -16,11 +16,20 @@ using Json = nlohmann::json;
 
 constexpr const char* kVariants = "KHR_materials_variants";
 
-std::string namesOf(const Json& elements) {
-  std::string names;
-  for (std::size_t i = 0; i < elements.size(); ++i)
-    names += fmt::format("{}{} {}", i == 0 ? "" : ", ", i, printable(stringOr(elements[i], "name", "")));
+const Json& variantsOf(const Json& document) { return member(document, "extensions", kVariants, "variants"); }
+
+std::vector<std::string> namesOf(const Json& elements) {
+  std::vector<std::string> names;
+  for (const Json& element : elements) names.push_back(printable(stringOr(element, "name", "")));
   return names;
+}
+
+/// "0 first, 1 second".
+std::string listOf(const Json& elements) {
+  std::string list;
+  const std::vector<std::string> names = namesOf(elements);
+  for (std::size_t i = 0; i < names.size(); ++i) list += fmt::format("{}{} {}", i == 0 ? "" : ", ", i, names[i]);
+  return list;
 }
 
 /// The element that is called `name`, else the one of that index.
@@ -38,7 +47,7 @@ std::size_t choose(const Json& elements, const std::string& name, const char* ki
   if (const std::optional<std::size_t> found = find(elements, name)) return *found;
   throw UsageError(
       fmt::format("no {} '{}'", kind, printable(name)), option,
-      elements.empty() ? fmt::format("leave it out: the file has no {}", kind) : "use one of: " + namesOf(elements));
+      elements.empty() ? fmt::format("leave it out: the file has no {}", kind) : "use one of: " + listOf(elements));
 }
 
 /// The material that a primitive has in a variant; null: its own.
@@ -54,8 +63,7 @@ const Json& materialIn(const Json& primitive, std::size_t variant) {
 void applyChoices(Json& document, const FileChoices& choices) {
   if (!choices.scene.empty()) document["scene"] = choose(member(document, "scenes"), choices.scene, "scene", "--scene");
   if (choices.variant.empty()) return;
-  const std::size_t variant =
-      choose(member(document, "extensions", kVariants, "variants"), choices.variant, "variant", "--variant");
+  const std::size_t variant = choose(variantsOf(document), choices.variant, "variant", "--variant");
   if (!document.contains("meshes")) return;
   for (Json& mesh : document["meshes"]) {
     for (Json& primitive : mesh["primitives"]) {
@@ -64,5 +72,9 @@ void applyChoices(Json& document, const FileChoices& choices) {
     }
   }
 }
+
+std::vector<std::string> sceneNames(const Json& document) { return namesOf(member(document, "scenes")); }
+
+std::vector<std::string> variantNames(const Json& document) { return namesOf(variantsOf(document)); }
 
 }  // namespace importon

@@ -1,6 +1,8 @@
 /// What a file offers to choose from: scenes, and variants of materials.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
 
 #include "scene/container/file_choices.h"
 
@@ -11,5 +13,9 @@ namespace importon {
 /// document has passed checkSchema. Throws UsageError, with the names that there are, where a choice names none of
 /// them.
 void applyChoices(nlohmann::json& document, const FileChoices& choices);
+
+/// The names of all scenes and variants, in the order of the file; "" for one without.
+[[nodiscard]] std::vector<std::string> sceneNames(const nlohmann::json& document);
+[[nodiscard]] std::vector<std::string> variantNames(const nlohmann::json& document);
 
 }  // namespace importon

@@ -55,10 +55,9 @@ std::size_t endOfComment(std::string_view text, std::size_t start) {
   return end == std::string_view::npos ? text.size() : end + 2;
 }
 
-/// Comments, commas before a closing bracket, and bytes of 0 at the end become blanks: all else keeps its place.
+/// Comments, and commas before a closing bracket, become blanks: all else keeps its place.
 std::string withoutExtras(std::string_view text) {
   std::string result(text);
-  while (!result.empty() && result.back() == '\0') result.pop_back();
   std::size_t comma = std::string::npos;  // the last token, if it is one
   for (std::size_t i = 0; i < result.size();) {
     const char c = result[i];
@@ -81,7 +80,7 @@ std::string_view strayNumber(std::string_view text) {
   constexpr std::array<std::string_view, 6> kWords = {"NaN", "nan", "Infinity", "infinity", "Inf", "inf"};
   for (std::size_t i = 0; i < text.size();) {
     for (const std::string_view word : kWords)
-      if (text.substr(i).starts_with(word)) return word;
+      if (text.substr(i).starts_with(word)) return text.substr(i, word.size());
     i = text[i] == '"' ? endOfString(text, i) : i + 1;
   }
   return {};
@@ -112,7 +111,7 @@ Json parseLenient(std::string_view text, const GltfSource& source, const Faults&
   try {
     Json document = Json::parse(plain);
     faults.forgive("JSON with extras", "", "the JSON is malformed: " + printable(reason),
-                   "comments, commas before a closing bracket and bytes of 0 at the end are passed over");
+                   "comments, and commas before a closing bracket, are passed over");
     return document;
   } catch (const Json::exception&) {
     refuse(text, reason.c_str(), source);

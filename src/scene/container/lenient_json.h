@@ -8,9 +8,9 @@
 
 namespace importon {
 
-/// Parses RFC 8259. Where that fails, comments, commas before a closing bracket, and bytes of 0 at the end are small
-/// faults. Throws SceneError, also where brackets are nested deeper than 64 levels; NaN and Infinity, which JSON does
-/// not have, are named.
+/// Parses RFC 8259; a byte of 0 ends the text. Where that fails, comments, and commas before a closing bracket, are
+/// small faults. Throws SceneError, also where brackets are nested deeper than 64 levels; NaN and Infinity, which JSON
+/// does not have, are named.
 [[nodiscard]] nlohmann::json parseLenient(std::string_view text, const GltfSource& source, const Faults& faults);
 
 }  // namespace importon

@@ -53,6 +53,7 @@ Camera readCamera(const GltfDocument& document, const PlacedNode& placed) {
   const tinygltf::Camera& source = document.model.cameras[index];
   Camera camera;
   camera.name = source.name.empty() ? node.name : source.name;
+  camera.nodeName = node.name;
   setLens(source, document.source.at(fmt::format("/cameras/{}", index)), camera);
   camera.worldFromCamera =
       withoutScale(placed.worldFromObject, document.source.at(fmt::format("/nodes/{}", placed.node)));
