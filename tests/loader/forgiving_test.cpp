@@ -41,6 +41,20 @@ TEST_P(ForgivingTest, WarnsOnceAndLoads) {
   EXPECT_EQ(warnings[0].message.find("test.glb#" + pointer + ": "), 0u) << warnings[0].message;
 }
 
+TEST(Forgiving, NodesThatASceneListsAreDrawnOnce) {
+  B below = twoTriangles();
+  below.json["nodes"][1]["children"] = {0};
+  EXPECT_EQ(load(below).triangles.size(), 2u);
+  B twice = twoTriangles();
+  twice.json["scenes"][0]["nodes"] = {0, 1, 1, 0};
+  EXPECT_EQ(load(twice).triangles.size(), 2u);
+  B outside = twoTriangles();
+  outside.add("nodes", {{"children", {0}}, {"translation", {9, 0, 0}}});
+  const Scene scene = load(outside);
+  EXPECT_EQ(scene.triangles.size(), 2u);
+  EXPECT_EQ(scene.positions[0], vec3(0));
+}
+
 TEST_P(ForgivingTest, RefusesWhereItReadsStrictly) {
   B builder = twoTriangles();
   GetParam().spoil(builder);
@@ -119,6 +133,18 @@ const SmallFault kNodes[] = {
      },
      "rotation of length 0", "not a unit quaternion", "/nodes/0/rotation"},
     {"SceneMissing", [](B& b) { b.json["scene"] = 5; }, "unknown value", "index 5 is not among the 1 scenes", "/scene"},
+    {"RootListedTwice",
+     [](B& b) {
+       b.json["scenes"][0]["nodes"] = {0, 1, 0};
+     },
+     "scene with other nodes than roots", "node 0 is not a root, or is listed twice", "/scenes/0/nodes"},
+    {"ChildOfAListedNode", [](B& b) { b.json["nodes"][1]["children"] = {0}; }, "scene with other nodes than roots",
+     "node 0 is not a root", "/scenes/0/nodes"},
+    {"ChildOfANodeOutsideTheScene",
+     [](B& b) {
+       b.add("nodes", {{"children", {0}}});
+     },
+     "scene with other nodes than roots", "node 0 is not a root", "/scenes/0/nodes"},
     {"NullMesh", [](B& b) { b.json["nodes"][0]["mesh"] = nullptr; }, "null", "the value is null", "/nodes/0/mesh"},
     {"NullExtensions", [](B& b) { b.json["nodes"][0]["extensions"] = nullptr; }, "null", "the value is null",
      "/nodes/0/extensions"},

@@ -43,6 +43,13 @@ const Malformed kStructure[] = {
        b.json["meshes"] = Json::object();
      },
      "needs glTF version 1.0", "/asset/version"},
+    {"OldVersionAsNumber", [](B& b) { b.json["asset"]["version"] = 1.0; }, "needs glTF version 1.0", "/asset/version"},
+    {"OldFileWithoutVersion",
+     [](B& b) {
+       b.json.erase("asset");
+       b.json["meshes"] = Json::object();
+     },
+     "needs glTF version 1.0", "/meshes"},
     {"NewMinVersion", [](B& b) { b.json["asset"]["minVersion"] = "2.1"; }, "needs glTF version 2.1",
      "/asset/minVersion"},
     {"VersionIsNumber", [](B& b) { b.json["asset"]["version"] = 2; }, "expected a string", "/asset/version"},

@@ -22,7 +22,9 @@ namespace {
 void checkVersion(nlohmann::json& document, const GltfSource& source, const Faults& faults) {
   for (const char* pointer : {"/asset/version", "/asset/minVersion"}) {
     const nlohmann::json::json_pointer place(pointer);
-    if (!document.contains(place) || !document[place].is_string()) continue;
+    if (!document.contains(place)) continue;
+    if (document[place].is_number() && document[place] < 2) document[place] = document[place].dump();
+    if (!document[place].is_string()) continue;
     auto& version = document[place].get_ref<std::string&>();
     if (version == "2") {
       faults.forgive("version without a minor", pointer, "the version is '2'", "it is taken for 2.0");
@@ -55,12 +57,13 @@ void checkBufferViews(const nlohmann::json& document, const GltfSource& source) 
   }
 }
 
-/// What tinygltf reads: all but the bytes, which it would decode its own way, and what it refuses: indices of
-/// primitives without a buffer view, as compressed ones, and strides that are no multiple of 4 or above 252.
+/// What tinygltf reads: all but the bytes, which it would decode its own way, animations, which a scene at rest has no
+/// use for, and what it refuses: indices of primitives without a buffer view, as compressed ones, and strides that are
+/// no multiple of 4 or above 252.
 nlohmann::json structureOf(const nlohmann::json& document) {
   nlohmann::json structure = nlohmann::json::object();
   for (const auto& [key, value] : document.items()) {
-    if (key != "buffers" && key != "images") structure[key] = value;
+    if (key != "buffers" && key != "images" && key != "animations") structure[key] = value;
   }
   if (structure.contains("bufferViews")) {
     for (nlohmann::json& view : structure["bufferViews"]) view.erase("byteStride");

@@ -89,7 +89,27 @@ void checkNoCycle(const GltfDocument& document, const std::vector<std::size_t>& 
   }
 }
 
-/// Roots of the scene, each once.
+/// Of each node, whether one above it is listed.
+std::vector<bool> belowListed(const GltfDocument& document, const std::vector<std::size_t>& parent,
+                              const std::vector<bool>& isListed) {
+  std::vector<bool> isBelow(parent.size(), false);
+  std::vector<std::size_t> pending;
+  for (std::size_t i = 0; i < parent.size(); ++i)
+    if (parent[i] == kNoParent) pending.push_back(i);
+  while (!pending.empty()) {
+    const std::size_t node = pending.back();
+    pending.pop_back();
+    for (const int entry : document.model.nodes[node].children) {
+      const auto child = static_cast<std::size_t>(entry);
+      isBelow[child] = isListed[node] || isBelow[node];
+      pending.push_back(child);
+    }
+  }
+  return isBelow;
+}
+
+/// Where drawing starts, each node once. A scene should list roots alone; any other node that it lists is one too,
+/// unless it is drawn below another.
 std::vector<std::size_t> sceneRoots(const GltfDocument& document, const std::vector<std::size_t>& parent) {
   std::vector<std::size_t> roots;
   const std::size_t scene = defaultScene(document);
@@ -102,13 +122,16 @@ std::vector<std::size_t> sceneRoots(const GltfDocument& document, const std::vec
   std::vector<bool> isListed(parent.size(), false);
   for (const int entry : document.model.scenes[scene].nodes) {
     const auto node = static_cast<std::size_t>(entry);
-    if (parent[node] != kNoParent || isListed[node]) {
-      throw SceneError(fmt::format("node {} is not a root, or is listed twice", node),
-                       document.source.at(fmt::format("/scenes/{}/nodes", scene)), kExportAgain);
+    const bool isRepeated = isListed[node];
+    if (isRepeated || parent[node] != kNoParent) {
+      document.faults.forgive("scene with other nodes than roots", fmt::format("/scenes/{}/nodes", scene),
+                              fmt::format("node {} is not a root, or is listed twice", node), "it is drawn once");
     }
     isListed[node] = true;
-    roots.push_back(node);
+    if (!isRepeated) roots.push_back(node);
   }
+  const std::vector<bool> isBelow = belowListed(document, parent, isListed);
+  std::erase_if(roots, [&](std::size_t root) { return isBelow[root]; });
   return roots;
 }
 
