@@ -64,8 +64,28 @@ struct Material {
   float clearcoatNormalScale;
   uint medium;            // of a solid: 1 .. kMostMedia, the same for equal index and absorption; else 0; device only
   uint materialOfMedium;  // in the m-th material: one whose solids are of the medium m + 1; device only
+  vec3 diffuseTransmissionColor;  // KHR_materials_diffuse_transmission
+  float diffuseTransmission;
+  vec3 sheenColor;  // KHR_materials_sheen
+  float sheenRoughness;
+  float anisotropy;          // KHR_materials_anisotropy anisotropyStrength
+  float anisotropyRotation;  // rad, from the tangent towards the bitangent
+  float iridescence;         // KHR_materials_iridescence
+  float iridescenceIor;
+  float iridescenceThicknessMinimum;     // nm, where the thickness texture is 0
+  float iridescenceThicknessMaximum;     // nm, where it is 1, or there is none
+  float dispersion;                      // KHR_materials_dispersion: 20 over the Abbe number
+  float thickness;                       // KHR_materials_volume thicknessFactor, m
+  uint diffuseTransmissionTexture;       // a
+  uint diffuseTransmissionColorTexture;  // rgb, sRGB
+  uint sheenColorTexture;                // rgb, sRGB
+  uint sheenRoughnessTexture;            // a
+  uint anisotropyTexture;                // rg: direction in tangent space; b: strength
+  uint iridescenceTexture;               // r
+  uint iridescenceThicknessTexture;      // g
+  uint thicknessTexture;                 // g
 };
-SHARED_CONST uint kMaterialTexels = 9u;
+SHARED_CONST uint kMaterialTexels = 15u;
 
 SHARED_CONST uint kMostMedia = 255u;
 

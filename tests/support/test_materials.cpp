@@ -1,3 +1,4 @@
+#include "scene/materials/gltf_material.h"
 #include "support/scene_builder.h"
 
 namespace importon::test {
@@ -5,20 +6,9 @@ namespace {
 
 /// The glTF default material, but not metallic.
 Material plain(const vec3& baseColor) {
-  Material material{};
+  Material material = defaultMaterial();
   material.baseColor = vec4(baseColor, 1.0f);
-  material.roughness = 1.0f;
-  material.specularColor = vec3(1.0f);
-  material.specular = 1.0f;
-  material.ior = 1.5f;
-  material.normalScale = 1.0f;
-  material.alphaCutoff = 0.5f;
-  for (uint* texture : {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-                        &material.emissiveTexture, &material.transmissionTexture, &material.specularTexture,
-                        &material.specularColorTexture, &material.clearcoatTexture, &material.clearcoatRoughnessTexture,
-                        &material.clearcoatNormalTexture}) {
-    *texture = kNone;
-  }
+  material.metallic = 0.0f;
   return material;
 }
 

@@ -180,13 +180,14 @@ void addMaterials(std::vector<SchemaRule>& rules) {
       .orElse(SchemaRepair::drop)
       .optional("doubleSided", boolean);
   Rules extension(rules, "materials/*/extensions");
-  for (const char* name : {"emissive_strength", "transmission", "ior", "volume", "specular", "clearcoat", "unlit"}) {
+  for (const char* name : {"emissive_strength", "transmission", "ior", "volume", "specular", "clearcoat", "unlit",
+                           "diffuse_transmission", "sheen", "anisotropy", "iridescence", "dispersion"}) {
     extension.optional(std::string("KHR_materials_") + name, object);
   }
   extension.range("KHR_materials_emissive_strength/emissiveStrength", 0, kBrightestFactor)
       .range("KHR_materials_ior/ior", 0);
   Rules volume(rules, "materials/*/extensions/KHR_materials_volume");
-  volume.range("thicknessFactor", 0).range("attenuationDistance", 0).vector("attenuationColor", 3, 0, 1);
+  volume.range("attenuationDistance", 0).vector("attenuationColor", 3, 0, 1);
   addSpecularGlossiness(rules);
   for (const MaterialRow& row : materialRows()) {
     const std::string key = (row.place.empty() ? "" : std::string(row.place) + "/") + std::string(row.key);

@@ -71,7 +71,7 @@ class MaterialReader {
   void readTransmission(const Faults& faults) {
     material_.ior = ior(faults);
     const Json& volume = extension("KHR_materials_volume");
-    if (numberOr(volume, "thicknessFactor", 0.0) <= 0.0) return;
+    if (material_.thickness <= 0.0f) return;
     material_.flags |= kMaterialSolid;
     material_.absorption =
         absorption(vectorOr<3>(volume, "attenuationColor", vec3(1.0f)), numberOr(volume, "attenuationDistance", 0.0));

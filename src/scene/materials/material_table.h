@@ -36,6 +36,12 @@ inline constexpr std::string_view kPbr = "pbrMetallicRoughness";
 inline constexpr std::string_view kSpecular = "extensions/KHR_materials_specular";
 inline constexpr std::string_view kTransmission = "extensions/KHR_materials_transmission";
 inline constexpr std::string_view kClearcoat = "extensions/KHR_materials_clearcoat";
+inline constexpr std::string_view kDiffuseTransmission = "extensions/KHR_materials_diffuse_transmission";
+inline constexpr std::string_view kSheen = "extensions/KHR_materials_sheen";
+inline constexpr std::string_view kAnisotropy = "extensions/KHR_materials_anisotropy";
+inline constexpr std::string_view kIridescence = "extensions/KHR_materials_iridescence";
+inline constexpr std::string_view kDispersion = "extensions/KHR_materials_dispersion";
+inline constexpr std::string_view kVolume = "extensions/KHR_materials_volume";
 
 constexpr MaterialRow texture(std::string_view place, std::string_view key, uint Material::*index, ColorMeaning meaning,
                               bool (*isNeeded)(const Material&) = nullptr) {
@@ -43,6 +49,11 @@ constexpr MaterialRow texture(std::string_view place, std::string_view key, uint
 }
 inline bool emits(const Material& m) { return m.emission != vec3(0.0f); }
 inline bool isCoated(const Material& m) { return m.clearcoat != 0; }
+inline bool transmitsDiffusely(const Material& m) { return m.diffuseTransmission != 0; }
+inline bool hasSheen(const Material& m) { return m.sheenColor != vec3(0.0f); }
+inline bool isAnisotropic(const Material& m) { return m.anisotropy != 0; }
+inline bool isIridescent(const Material& m) { return m.iridescence != 0; }
+inline bool isThick(const Material& m) { return m.thickness != 0; }
 
 }  // namespace material_table
 
@@ -74,6 +85,28 @@ inline bool isCoated(const Material& m) { return m.clearcoat != 0; }
                   -kAnything, kAnything},
       texture(kClearcoat, "clearcoatTexture", &M::clearcoatTexture, linear, isCoated),
       texture(kClearcoat, "clearcoatRoughnessTexture", &M::clearcoatRoughnessTexture, linear, isCoated),
+      MaterialRow{kDiffuseTransmission, "diffuseTransmissionFactor", &M::diffuseTransmission},
+      MaterialRow{kDiffuseTransmission, "diffuseTransmissionColorFactor", &M::diffuseTransmissionColor, 1},
+      texture(kDiffuseTransmission, "diffuseTransmissionTexture", &M::diffuseTransmissionTexture, linear,
+              transmitsDiffusely),
+      texture(kDiffuseTransmission, "diffuseTransmissionColorTexture", &M::diffuseTransmissionColorTexture, srgb,
+              transmitsDiffusely),
+      MaterialRow{kSheen, "sheenColorFactor", &M::sheenColor},
+      MaterialRow{kSheen, "sheenRoughnessFactor", &M::sheenRoughness},
+      texture(kSheen, "sheenColorTexture", &M::sheenColorTexture, srgb, hasSheen),
+      texture(kSheen, "sheenRoughnessTexture", &M::sheenRoughnessTexture, linear, hasSheen),
+      MaterialRow{kAnisotropy, "anisotropyStrength", &M::anisotropy},
+      MaterialRow{kAnisotropy, "anisotropyRotation", &M::anisotropyRotation, 0, -kAnything, kAnything},
+      texture(kAnisotropy, "anisotropyTexture", &M::anisotropyTexture, linear, isAnisotropic),
+      MaterialRow{kIridescence, "iridescenceFactor", &M::iridescence},
+      MaterialRow{kIridescence, "iridescenceIor", &M::iridescenceIor, 1.3f, 1, kAnything},
+      MaterialRow{kIridescence, "iridescenceThicknessMinimum", &M::iridescenceThicknessMinimum, 100, 0, kAnything},
+      MaterialRow{kIridescence, "iridescenceThicknessMaximum", &M::iridescenceThicknessMaximum, 400, 0, kAnything},
+      texture(kIridescence, "iridescenceTexture", &M::iridescenceTexture, linear, isIridescent),
+      texture(kIridescence, "iridescenceThicknessTexture", &M::iridescenceThicknessTexture, linear, isIridescent),
+      MaterialRow{kDispersion, "dispersion", &M::dispersion, 0, 0, kAnything},
+      MaterialRow{kVolume, "thicknessFactor", &M::thickness, 0, 0, kAnything},
+      texture(kVolume, "thicknessTexture", &M::thicknessTexture, linear, isThick),
       MaterialRow{"", "alphaCutoff", &M::alphaCutoff, 0.5f, 0, kAnything}};
   return kRows;
 }
