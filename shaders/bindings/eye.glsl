@@ -67,7 +67,7 @@ void addEmission(uint slot, PathState path, Ray ray, Hit hit, Surface s) {
 }
 
 void writeImporton(uint at, Surface s, Ray ray, PathState path, bool readsGlobal) {
-  recordPoints[at] = MapPoint(s.position, packMapPoint(-ray.direction, s.geometricNormal, 0u));
+  recordPoints[at] = MapPoint(s.position, packMapPoint(-ray.direction, s.mapNormal, 0u));
   records[at] = Record(vec3(mean(path.throughput)), readsGlobal ? kRecordGlobal : kRecordCaustic);
 }
 
@@ -90,14 +90,17 @@ bool readsGlobalMap(uint slot, inout PathState path, Surface s, Hit hit, Bsdf b,
     if (!hasDiffuse(b)) return false;
     if (kEyeMode == kEyeImage) {
       float area;
-      const vec3 irradiance = cellIrradiance(cellSide(hit.triangle, vec2(hit.u, hit.v), s.isFront), area);
+      const uint side = cellSide(hit.triangle, vec2(hit.u, hit.v), s.isFront);
+      const vec3 irradiance = cellIrradiance(side, area);
       if (path.distance * path.distance < kNearCells * area && !isLast) return false;
       pathLight[slot].indirect += path.throughput * diffuseTowards(b) * irradiance / kPi;
+      if (isTranslucent(b))
+        pathLight[slot].indirect += path.throughput * diffuseFromBehind(b) * cellIrradiance(side ^ 1u, area) / kPi;
       return true;
     }
   }
   if (!knowsImportance) return true;
-  radius = lookupRadius(params.globalMap, lookupDensity(params.globalMap, s.position, s.geometricNormal));
+  radius = lookupRadius(params.globalMap, lookupDensity(params.globalMap, s.position, s.mapNormal));
   return path.distance > 2.0 * radius || isLast;
 }
 

@@ -14,6 +14,8 @@ vec3 photonLight(Surface s, Bsdf b, vec3 wo, mat3 frame, uint photon, uint packe
   // Photons count flux per area of the true surface; the BSDF's cosine is the shading normal's. The bound holds
   // where the two differ: without it one grazing photon could outshine all others.
   const vec3 wi = towardsLight * frame;
+  const bool isAcross = dot(towardsLight, s.geometricNormal) <= 0.0;
+  if (isTranslucent(b) && isAcross != (wi.z <= 0.0)) return vec3(0.0);
   const float cosine = max(abs(dot(towardsLight, s.geometricNormal)), min(abs(wi.z), 0.05));
   return evalBsdf(b, wo, wi, pdf) / max(cosine, 1e-6) * unpackFlux(texelFetch(mapFlux, int(photon)).xy);
 }

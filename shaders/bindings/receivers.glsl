@@ -2,6 +2,7 @@
 #ifndef IMPORTON_BINDINGS_RECEIVERS_GLSL
 #define IMPORTON_BINDINGS_RECEIVERS_GLSL
 #include "bindings/photons.glsl"
+#include "lib/features.glsl"
 
 const uint kMaxReceivers = 32u;
 uint photons[kMaxReceivers];
@@ -15,6 +16,12 @@ struct Giver {
   vec3 direction;  // where its light came from
   bool isGlossy;
 };
+
+/// True if light along `direction` comes nearly as the giver's: from the same side of the surface.
+bool comesAlike(vec3 direction, Giver giver) {
+  const bool isSameSide = (dot(direction, giver.normal) < 0.0) == (dot(giver.direction, giver.normal) < 0.0);
+  return dot(direction, giver.direction) > kGlossyCone && (!kHasDiffuseTransmission || isSameSide);
+}
 
 /// Turns distances into weights of the shares; returns their sum.
 float weighReceivers(uint count, float radius, Giver giver, bool byDirection) {

@@ -105,4 +105,48 @@ vec2 coatMeanTaken(float alpha, float coatAlpha) {
              mix(albedoAt(at + kCoatSide), albedoAt(at + kCoatSide + 1u), y), z);
 }
 
+/// x: share of light along `cosine` that white sheen reflects; y: the bound on its value there.
+vec2 sheenAlbedo(float cosine, float alpha) {
+  uint i, j;
+  const float x = tablePlace(cosine, kSheenSide, i), y = tablePlace(alpha, kSheenSide, j);
+  const uint at = kSheenAlbedo + j * kSheenSide + i;
+  return mix(mix(albedoAt(at), albedoAt(at + 1u), x),
+             mix(albedoAt(at + kSheenSide), albedoAt(at + kSheenSide + 1u), x), y);
+}
+
+/// Entries of GGX of roughness alphas.x along the tangent and alphas.y across it, which is not more: of the roughness
+/// across and of the stretch along.
+vec2 stretchPlace(vec2 alphas, out uvec2 index) {
+  const float x = tablePlace(alphas.y, kStretchAlphas, index.x);
+  return vec2(x, tablePlace((alphas.x - alphas.y) / max(1.0 - alphas.y, 1e-6), kStretches, index.y));
+}
+
+/// As ggxAlbedo. `azimuth`: squared cosine of the angle between the direction's projection and the tangent.
+vec2 stretchedAlbedo(float cosine, float azimuth, vec2 alphas) {
+  uvec2 at;
+  const vec2 share = stretchPlace(alphas, at);
+  const float rough = sqrt(mix(alphas.y * alphas.y, alphas.x * alphas.x, azimuth));
+  uint i, k;
+  const float x = tablePlace(cosine, kStretchCosines, i);
+  const float z = tablePlace((rough - alphas.y) / max(alphas.x - alphas.y, 1e-6), kStretchAzimuths, k);
+  vec2 sum = vec2(0.0);
+  for (uint corner = 0u; corner < 8u; ++corner) {
+    const uint b = corner & 1u, s = (corner >> 1) & 1u, t = corner >> 2;
+    const float weight = (b == 1u ? share.x : 1.0 - share.x) * (s == 1u ? share.y : 1.0 - share.y) *
+                         (t == 1u ? z : 1.0 - z);
+    const uint row = ((at.x + b) * kStretches + at.y + s) * kStretchAzimuths + k + t;
+    const uint texel = kStretchAlbedo + row * kStretchCosines + i;
+    sum += weight * mix(albedoAt(texel), albedoAt(texel + 1u), x);
+  }
+  return sum;
+}
+
+vec2 stretchedMeanAlbedo(vec2 alphas) {
+  uvec2 at;
+  const vec2 share = stretchPlace(alphas, at);
+  const uint texel = kStretchMeans + at.x * kStretches + at.y;
+  return mix(mix(albedoAt(texel), albedoAt(texel + 1u), share.y),
+             mix(albedoAt(texel + kStretches), albedoAt(texel + kStretches + 1u), share.y), share.x);
+}
+
 #endif

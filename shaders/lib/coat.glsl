@@ -49,7 +49,7 @@ Coat makeCoat(Surface s, bool isBehind, vec3 diffuse, vec3 metal) {
   c.isSmooth = s.coatAlpha < kSmoothAlpha;
   c.isBehind = isBehind;
   c.isAdjoint = false;
-  c.normal = s.coatNormal * frameAround(s.shadingNormal);
+  c.normal = s.coatNormal * s.frame;
   c.cosOut = s.coatCosOut;
   c.baseAlpha = s.alpha;
   const vec2 mean_ = ggxMeanAlbedo(s.coatAlpha);

@@ -45,4 +45,39 @@ float pdfVisibleNormal(vec3 wo, vec3 h, float alpha) {
   return ggxMasking(wo, alpha) * max(0.0, dot(wo, h)) * ggxDistribution(h, alpha) / max(wo.z, 1e-30);
 }
 
+// Anisotropic: alphas.x along x, alphas.y along y.
+
+/// [Heitz 2014, eq. 85]
+float ggxDistribution(vec3 h, vec2 alphas) {
+  const vec2 slope = h.xy / alphas;
+  const float d = dot(slope, slope) + h.z * h.z;
+  return 1.0 / (kPi * alphas.x * alphas.y * d * d);
+}
+
+/// [Heitz 2014, eq. 86]
+float ggxLambda(vec3 w, vec2 alphas) {
+  const vec2 rough = alphas * w.xy;
+  return 0.5 * (sqrt(1.0 + dot(rough, rough) / max(w.z * w.z, 1e-30)) - 1.0);
+}
+
+float ggxMasking(vec3 w, vec2 alphas) { return 1.0 / (1.0 + ggxLambda(w, alphas)); }
+
+float ggxMaskingShadowing(vec3 wo, vec3 wi, vec2 alphas) {
+  return 1.0 / (1.0 + ggxLambda(wo, alphas) + ggxLambda(wi, alphas));
+}
+
+vec3 sampleVisibleNormal(vec3 wo, vec2 alphas, vec2 u) {
+  const vec3 v = normalize(vec3(alphas * wo.xy, wo.z));
+  const float length2 = dot(v.xy, v.xy);
+  const vec3 t1 = length2 > 0.0 ? vec3(-v.y, v.x, 0.0) * inversesqrt(length2) : vec3(1.0, 0.0, 0.0);
+  const float r = sqrt(u.x), phi = 2.0 * kPi * u.y, x = r * cos(phi), s = 0.5 * (1.0 + v.z);
+  const float y = (1.0 - s) * sqrt(max(0.0, 1.0 - x * x)) + s * r * sin(phi);
+  const vec3 n = x * t1 + y * cross(v, t1) + sqrt(max(0.0, 1.0 - x * x - y * y)) * v;
+  return normalize(vec3(alphas * n.xy, max(1e-9, n.z)));
+}
+
+float pdfVisibleNormal(vec3 wo, vec3 h, vec2 alphas) {
+  return ggxMasking(wo, alphas) * max(0.0, dot(wo, h)) * ggxDistribution(h, alphas) / max(wo.z, 1e-30);
+}
+
 #endif

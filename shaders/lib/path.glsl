@@ -2,8 +2,15 @@
 #ifndef IMPORTON_LIB_PATH_GLSL
 #define IMPORTON_LIB_PATH_GLSL
 #include "lib/bsdf.glsl"
+#include "lib/dispersion.glsl"
+#include "lib/hash.glsl"
 #include "lib/media.glsl"
 #include "lib/path_pairs.glsl"
+
+bool isSolidInterface(Surface s) {
+  if ((s.flags & kMaterialSolid) == 0u) return false;
+  return s.transmission > 0.0 || (kHasDiffuseTransmission && s.diffuseTransmission > 0.0);
+}
 
 /// A material whose solids are of a medium.
 uint materialOfMedium(uint medium) { return materialTexel(kMaterialTexels * (medium - 1u) + 8u).w; }
@@ -14,17 +21,30 @@ vec3 mediumTransmittance(uvec2 media, Surface s, float t) {
   const uint medium = innermostMedium(media);
   if (medium != 0u)
     return exp(-uintBitsToFloat(materialTexel(kMaterialTexels * materialOfMedium(medium) + 3u)).rgb * t);
-  return !s.isFront && (s.flags & kMaterialSolid) != 0u && s.transmission > 0.0 ? exp(-s.absorption * t) : vec3(1.0);
+  return !s.isFront && isSolidInterface(s) ? exp(-s.absorption * t) : vec3(1.0);
 }
-
-bool isSolidInterface(Surface s) { return (s.flags & kMaterialSolid) != 0u && s.transmission > 0.0; }
 
 /// Number of the medium behind the surface of a solid.
 uint mediumBehind(Surface s) { return materialTexel(kMaterialTexels * s.material + 8u).z; }
 
-/// Index of refraction of a medium; 0: air.
-float mediumIndex(uint medium) {
-  return medium == 0u ? 1.0 : uintBitsToFloat(materialTexel(kMaterialTexels * materialOfMedium(medium) + 4u).x);
+/// Index of refraction of a medium, for the path's channel; 0: air.
+float mediumIndex(uint medium, vec3 throughput) {
+  if (medium == 0u) return 1.0;
+  const uint base = kMaterialTexels * materialOfMedium(medium);
+  const float ior = uintBitsToFloat(materialTexel(base + 4u).x);
+  if (!kHasDispersion) return ior;
+  const float dispersion = uintBitsToFloat(materialTexel(base + 12u).z);
+  return dispersion > 0.0 ? dispersedIndex(ior, dispersion, channelOf(throughput)) : ior;
+}
+
+const uint kChannelSalt = 0x3D15u;  // tells the choice from others of the same ray
+
+/// At a solid that bends colours differently: the path goes on with one of them, for which the index is then.
+/// `ray`: id of the one that met it.
+void chooseChannel(inout Surface s, inout PathState path, uint ray, uint pass) {
+  if (!kHasDispersion || !isSolidInterface(s) || s.transmission <= 0.0 || s.dispersion <= 0.0) return;
+  path.throughput = keepChannel(path.throughput, unitFloat(hashCombine(hashCombine(ray, pass), kChannelSalt)));
+  s.ior = dispersedIndex(s.ior, s.dispersion, channelOf(path.throughput));
 }
 
 // Nested dielectrics: where solids overlap, the one that the path entered last is there. So a liquid that reaches a
@@ -34,8 +54,8 @@ float mediumIndex(uint medium) {
 void relateIndex(inout Surface s, PathState path) {
   if (!kHasTransmission || !isSolidInterface(s)) return;
   const uint here = innermostMedium(path.media);
-  if (s.isFront) s.ior /= mediumIndex(here);
-  else if (here == mediumBehind(s)) s.ior /= mediumIndex(mediumAround(path.media));
+  if (s.isFront) s.ior /= mediumIndex(here, path.throughput);
+  else if (here == mediumBehind(s)) s.ior /= mediumIndex(mediumAround(path.media), path.throughput);
   else if (here != 0u) s.ior = 1.0;
 }
 

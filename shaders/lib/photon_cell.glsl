@@ -30,6 +30,8 @@ uint directionClass(vec3 direction) {
   return uint(c.x + 5 * c.y + 25 * c.z);
 }
 
+const uint kLightClasses = 126u;  // of directionClass, and none
+
 /// `position` from the lowest corner of the scene.
 CellKey cellKey(vec3 position, float extent, uint level, uint normalClass, uint lightClass) {
   const uvec3 cell = uvec3(max(position / cellEdge(extent, level), vec3(0.0)));

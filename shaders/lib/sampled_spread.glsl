@@ -11,6 +11,7 @@ const float kLargestSpread = 1.0;  // of a direction, rad: beyond it nothing is 
 struct DrawnLobe {
   bool isCosine;
   bool isCoat;
+  bool isSheen;
   bool isTransmission;
 };
 
@@ -18,7 +19,8 @@ DrawnLobe drawnLobe(Bsdf b, float uLobe, BsdfSample s) {
   DrawnLobe lobe;
   const bool isBelow = kHasTransmission && b.pBelow > 0.0 && uLobe >= 1.0 - b.pBelow;
   lobe.isCosine = !kHasReflection || uLobe < b.pCosine || isBelow;
-  lobe.isCoat = kHasClearcoat && !lobe.isCosine && b.pCoat > 0.0 && uLobe >= b.pCosine + b.pInterface;
+  lobe.isSheen = kHasSheen && !lobe.isCosine && b.pSheen > 0.0 && uLobe >= 1.0 - b.pBelow - b.pSheen;
+  lobe.isCoat = kHasClearcoat && !lobe.isCosine && !lobe.isSheen && b.pCoat > 0.0 && uLobe >= b.pCosine + b.pInterface;
   lobe.isTransmission = s.isTransmission;
   return lobe;
 }
@@ -28,8 +30,10 @@ vec3 lobeDirection(Bsdf b, vec3 wo, DrawnLobe lobe, vec2 u) {
   vec3 wi;
   if (lobe.isCosine) {
     wi = sampleCosineHemisphere(u);
+  } else if (lobe.isSheen) {
+    wi = sampleSheen(u);
   } else {
-    const vec3 h = lobe.isCoat ? sampleCoatNormal(b.coat, wo, u) : sampleVisibleNormal(wo, b.alpha, u);
+    const vec3 h = lobe.isCoat ? sampleCoatNormal(b.coat, wo, u) : microfacet(b, wo, u);
     wi = 2.0 * dot(wo, h) * h - wo;
     if (!lobe.isTransmission || b.isThin || !refractLocal(wo, h, b.eta, wi)) wi.z = abs(wi.z);
     else return wi;

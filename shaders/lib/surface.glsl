@@ -14,6 +14,8 @@ struct Surface {
   vec3 error;            // bound on the position's rounding error, m
   vec3 geometricNormal;  // on the side that the ray came from
   vec3 shadingNormal;    // likewise, and never facing away from the ray
+  vec3 mapNormal;        // of photons and importons here: the side they are on, or one side for both where light passes
+  mat3 frame;            // local frame of the BSDF: z is the shading normal
   bool isFront;
   bool canEmit;          // the side emits
   uint material;
@@ -30,6 +32,17 @@ struct Surface {
   vec3 coatNormal;       // as shadingNormal
   vec3 lift;             // m, from `position` to the surface that smooth normals stand for
   float coatCosOut;      // cosine between the ray, backwards, and coatNormal
+  vec3 diffuseTransmissionColor;  // KHR_materials_diffuse_transmission
+  float diffuseTransmission;
+  vec3 sheenColor;       // KHR_materials_sheen
+  float sheenAlpha;
+  vec2 alphas;           // KHR_materials_anisotropy: GGX roughness along the tangent, and across
+  vec3 tangent;          // of that, of any length
+  vec3 backwards;        // the ray's direction, turned round
+  float iridescence;     // KHR_materials_iridescence
+  float filmIor;
+  float filmThickness;   // nm
+  float dispersion;      // KHR_materials_dispersion
   vec3 emission;         // W/(m² sr)
   vec3 absorption;       // 1/m, of the solid behind the surface
 };
@@ -60,7 +73,7 @@ void interpolateExtras(uvec3 vertices, vec3 weights, out vec4 tangent, out vec4 
   color = vec4(0.0);
   for (uint i = 0u; i < 3u; ++i) {
     const uvec4 texel = vertexTexel(3u * vertices[i] + 2u);
-    if (kHasNormalMaps && texel.x != kNone) {
+    if ((kHasNormalMaps || kHasAnisotropy) && texel.x != kNone) {
       const vec4 t = unpackTangent(texel.x);
       tangent.xyz += weights[i] * t.xyz;
       tangent.w = t.w;
@@ -74,7 +87,38 @@ struct SurfaceTextures {
   vec3 baseColor, emission, specularColor;
   float roughness, metallic, transmission, specular, coat, coatRoughness;
   vec3 normal, coatNormal;  // in tangent space; 0: none
+  float diffuseTransmission, sheenRoughness, iridescence, filmThickness, thickness;
+  vec3 diffuseTransmissionColor, sheenColor;
+  vec3 anisotropy;  // direction in tangent space, and strength
 };
+
+SurfaceTextures noTextures() {
+  SurfaceTextures t;
+  t.baseColor = t.emission = t.specularColor = t.diffuseTransmissionColor = t.sheenColor = vec3(1.0);
+  t.roughness = t.metallic = t.transmission = t.specular = t.coat = t.coatRoughness = 1.0;
+  t.diffuseTransmission = t.sheenRoughness = t.iridescence = t.filmThickness = t.thickness = 1.0;
+  t.normal = t.coatNormal = vec3(0.0);
+  t.anisotropy = vec3(1.0, 0.0, 1.0);
+  return t;
+}
+
+const bool kHasLayers = kHasDiffuseTransmission || kHasSheen || kHasAnisotropy || kHasIridescence || kHasDispersion ||
+                        kHasThicknessTextures;
+const bool kHasLayerTextures = kHasTextures && kHasLayers;
+
+/// Of texture k, counted from 0 in those texels.
+void takeLayerTexture(inout SurfaceTextures t, int k, vec4 v) {
+  if (k == 0) t.diffuseTransmission = v.a;
+  if (k == 1) t.diffuseTransmissionColor = v.rgb;
+  if (k == 2) t.sheenColor = v.rgb;
+  if (k == 3) t.sheenRoughness = v.a;
+  if (k == 4) t.anisotropy = vec3(v.rg * 2.0 - 1.0, v.b);
+  if (k == 5) t.iridescence = v.r;
+  if (k == 6) t.filmThickness = v.g;
+  if (k == 7) t.thickness = v.g;
+}
+
+const uint kFirstLayer = 10u;
 
 /// Samples those that the material has, one after the other in one place: a kernel then holds the sampling once, and
 /// a hit costs as many samples as the material has textures, where lavapipe would run both sides of every branch.
@@ -86,12 +130,22 @@ SurfaceTextures sampleTextures(uint base, uint baseColorTexture, vec2 uv0, vec2 
               uint(m6.z != kNone) << 3 | uint(m6.w != kNone) << 4 | uint(m7.x != kNone) << 5 |
               uint(m7.y != kNone) << 6 | uint(coatNormalTexture != kNone) << 9;
   if (kHasClearcoat) left |= uint(m7.z != kNone) << 7 | uint(m7.w != kNone) << 8;
-  SurfaceTextures t =
-      SurfaceTextures(vec3(1.0), vec3(1.0), vec3(1.0), 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, vec3(0.0), vec3(0.0));
+  uvec4 layers[2] = uvec4[2](uvec4(kNone), uvec4(kNone));
+  if (kHasLayerTextures) {
+    layers[0] = materialTexel(base + 13u);
+    layers[1] = materialTexel(base + 14u);
+    for (uint k = 0u; k < 8u; ++k) left |= uint(layers[k / 4u][k % 4u] != kNone) << (kFirstLayer + k);
+  }
+  SurfaceTextures t = noTextures();
   while (left != 0u) {
     const int k = findLSB(left);
     left &= left - 1u;
-    const uint texture = k == 0 ? baseColorTexture : k < 5 ? m6[k - 1] : k < 9 ? m7[k - 5] : coatNormalTexture;
+    const int layer = k - int(kFirstLayer);
+    const uint texture = kHasLayerTextures && layer >= 0 ? layers[layer / 4][layer % 4]
+                         : k == 0                        ? baseColorTexture
+                         : k < 5                         ? m6[k - 1]
+                         : k < 9                         ? m7[k - 5]
+                                                         : coatNormalTexture;
     const vec4 v = sampleTexture(texture, uv0, uv1);
     if (k == 0) t.baseColor = v.rgb;
     if (k == 1) t.roughness = v.g;
@@ -104,6 +158,7 @@ SurfaceTextures sampleTextures(uint base, uint baseColorTexture, vec2 uv0, vec2 
     if (k == 7) t.coat = v.r;
     if (k == 8) t.coatRoughness = v.g;
     if (k == 9) t.coatNormal = v.xyz * 2.0 - 1.0;
+    if (kHasLayerTextures && layer >= 0) takeLayerTexture(t, layer, v);
   }
   return t;
 }
@@ -149,6 +204,44 @@ vec3 mappedNormal(vec3 m, float scale, vec3 normal, vec4 tangent) {
   return normalize(m.x * t + m.y * tangent.w * cross(normal, t) + m.z * normal);
 }
 
+/// Direction of the greatest roughness: `direction` in tangent space, turned by the material's angle.
+vec3 anisotropicTangent(vec2 direction, float rotation, vec3 normal, vec4 tangent) {
+  const vec3 t = tangent.xyz - normal * dot(normal, tangent.xyz);
+  const vec2 d = vec2(direction.x * cos(rotation) - direction.y * sin(rotation),
+                      direction.x * sin(rotation) + direction.y * cos(rotation));
+  return d.x * t + d.y * tangent.w * cross(normal, t);
+}
+
+/// The material's extensions at the surface: their factors, and their textures.
+void loadLayers(inout Surface s, uint base, SurfaceTextures t, vec4 tangent, vec3 normal) {
+  const vec4 m11 = uintBitsToFloat(materialTexel(base + 11u)), m12 = uintBitsToFloat(materialTexel(base + 12u));
+  s.diffuseTransmission = 0.0;
+  if (kHasDiffuseTransmission) {
+    const vec4 m9 = uintBitsToFloat(materialTexel(base + 9u));
+    s.diffuseTransmission = m9.a * t.diffuseTransmission;
+    s.diffuseTransmissionColor = m9.rgb * t.diffuseTransmissionColor;
+    if (m9.a > 0.0 && !s.isFront) s.mapNormal = -s.geometricNormal;
+  }
+  if (kHasSheen) {
+    const vec4 m10 = uintBitsToFloat(materialTexel(base + 10u));
+    const float roughness = m10.a * t.sheenRoughness;
+    s.sheenColor = m10.rgb * t.sheenColor;
+    s.sheenAlpha = roughness * roughness;
+  }
+  if (kHasAnisotropy) {
+    const float strength = m11.x * t.anisotropy.z;
+    s.alphas = vec2(mix(s.alpha, 1.0, strength * strength), s.alpha);
+    s.tangent = anisotropicTangent(t.anisotropy.xy, m11.y, normal, tangent);
+  }
+  if (kHasIridescence) {
+    s.iridescence = m11.z * t.iridescence;
+    s.filmIor = m11.w;
+    s.filmThickness = mix(m12.x, m12.y, t.filmThickness);
+  }
+  if (kHasDispersion) s.dispersion = m12.z;
+  if (kHasThicknessTextures && t.thickness <= 0.0) s.flags &= ~kMaterialSolid;
+}
+
 /// The surface that a ray of `direction` (unit) met at barycentric weights (u, v) of `triangle`.
 Surface loadSurface(uint triangle, vec2 uvWeights, vec3 direction) {
   const uvec4 indices = triangleTexel(triangle);
@@ -192,14 +285,16 @@ Surface loadSurface(uint triangle, vec2 uvWeights, vec3 direction) {
   s.coat = uintBitsToFloat(m5.x);
   float coatRoughness = uintBitsToFloat(m5.y);
   vec3 coatNormal = normal;
-  if (kHasTextures || kHasVertexColors) {
+  SurfaceTextures t = noTextures();
+  vec4 tangent = vec4(0.0);
+  if (kHasTextures || kHasVertexColors || kHasAnisotropy) {
     vec2 uv0, uv1;
     interpolateUv(indices.xyz, weights, uv0, uv1);
-    vec4 tangent = vec4(0.0), color = vec4(1.0);
-    if (kHasNormalMaps || kHasVertexColors) interpolateExtras(indices.xyz, weights, tangent, color);
+    vec4 color = vec4(1.0);
+    if (kHasNormalMaps || kHasVertexColors || kHasAnisotropy) interpolateExtras(indices.xyz, weights, tangent, color);
     if (kHasVertexColors) s.baseColor *= color.rgb;
     if (kHasTextures) {
-      const SurfaceTextures t = sampleTextures(base, m5.w, uv0, uv1);
+      t = sampleTextures(base, m5.w, uv0, uv1);
       s.baseColor *= t.baseColor;
       roughness *= t.roughness;
       s.metallic *= t.metallic;
@@ -224,6 +319,10 @@ Surface loadSurface(uint triangle, vec2 uvWeights, vec3 direction) {
     s.coatNormal = keepMirrorOutside(s.isFront ? coatNormal : -coatNormal, s.geometricNormal, direction);
     s.coatCosOut = -dot(s.coatNormal, direction);
   }
+  s.frame = frameAround(s.shadingNormal);
+  s.backwards = -direction;
+  s.mapNormal = s.geometricNormal;
+  if (kHasLayers) loadLayers(s, base, t, tangent, normal);
   s.canEmit = (s.flags & kMaterialEmissive) != 0u && (s.isFront || (s.flags & kMaterialDoubleSided) != 0u);
   s.specularColor = specularColor;
   s.specular = specular;

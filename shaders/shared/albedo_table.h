@@ -21,7 +21,19 @@ SHARED_CONST uint kCoatSide = 16u;
 SHARED_CONST uint kCoatAlphas = 8u;
 SHARED_CONST uint kCoatTaken = kGlassAlbedoMeans + kGlassAlbedoIndices * kGlassAlbedoSide;
 SHARED_CONST uint kCoatMeans = kCoatTaken + kCoatAlphas * kCoatSide * kCoatSide;
-SHARED_CONST uint kAlbedoTexels = kCoatMeans + kCoatAlphas * kCoatSide;
+// Sheen: share of light that it reflects if white, and the bound on its value: rows of cosines for each alpha.
+SHARED_CONST uint kSheenSide = 32u;
+SHARED_CONST uint kSheenAlbedo = kCoatMeans + kCoatAlphas * kCoatSide;
+SHARED_CONST float kLeastSheenAlpha = 0.0049f;
+// Anisotropic GGX reflection as the first table: for each alpha across the tangent, for each stretch along it, for each
+// azimuth a row of cosines; then the means.
+SHARED_CONST uint kStretchAlphas = 10u;
+SHARED_CONST uint kStretches = 10u;
+SHARED_CONST uint kStretchAzimuths = 6u;
+SHARED_CONST uint kStretchCosines = 24u;
+SHARED_CONST uint kStretchAlbedo = kSheenAlbedo + kSheenSide * kSheenSide;
+SHARED_CONST uint kStretchMeans = kStretchAlbedo + kStretchAlphas * kStretches * kStretchAzimuths * kStretchCosines;
+SHARED_CONST uint kAlbedoTexels = kStretchMeans + kStretchAlphas * kStretches;
 
 SHARED_END
 #endif

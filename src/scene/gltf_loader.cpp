@@ -48,7 +48,21 @@ uint sceneMaterial(const MaterialSet& set, const MeshPart& part) {
   return set.materialOfFile[static_cast<std::size_t>(part.material)];
 }
 
-/// Normal maps need tangents; computes those that the file lacks. Warns of textures without coordinates.
+/// The texture along which a material's tangents run: of its normals first, as for all that follow them; else that of
+/// its anisotropy, or plain coordinates. Null: it needs none.
+const Texture* tangentTexture(const Material& material, const std::vector<Texture>& textures) {
+  static const Texture kPlain = [] {
+    Texture plain{};
+    plain.uvRow0 = vec3(1, 0, 0);
+    plain.uvRow1 = vec3(0, 1, 0);
+    return plain;
+  }();
+  for (const uint texture : {material.normalTexture, material.clearcoatNormalTexture, material.anisotropyTexture})
+    if (texture != kNone) return &textures[texture];
+  return material.anisotropy != 0 ? &kPlain : nullptr;
+}
+
+/// Normal maps and anisotropy need tangents; computes those that the file lacks. Warns of textures without coordinates.
 void completeAttributes(MeshLibrary& library, const MaterialSet& set, const std::string& name, Log& log) {
   for (MeshPart& part : library.parts()) {
     const Material& material = set.materials[sceneMaterial(set, part)];
@@ -57,10 +71,9 @@ void completeAttributes(MeshLibrary& library, const MaterialSet& set, const std:
       log.warn("texture without coordinates",
                fmt::format("{}: a mesh lacks the texture coordinates that its material reads; (0, 0) stands in", name));
     }
-    const uint normalTexture =
-        material.normalTexture != kNone ? material.normalTexture : material.clearcoatNormalTexture;
+    const Texture* texture = tangentTexture(material, set.textures);
     if (part.normals.empty()) part.tangents.clear();  // glTF 2.0, section 3.7.2.1: flat normals, tangents ignored
-    if (part.tangents.empty() && normalTexture != kNone) computeTangents(part, set.textures[normalTexture]);
+    if (part.tangents.empty() && texture != nullptr) computeTangents(part, *texture);
   }
 }
 

@@ -32,6 +32,14 @@ struct Query {
   vec3 coatNormal;
   uint isAdjoint;
   vec3 specularColor;
+  vec3 diffuseTransmissionColor;
+  float diffuseTransmission;
+  vec3 sheenColor;
+  float sheenAlpha;
+  vec2 stretch;  // of alpha along the tangent, 0 to 1; the tangent's angle
+  float iridescence;
+  float filmIor;
+  float filmThickness;
 };
 struct Answer {
   vec3 value;  // BSDF · |cosine| of (wo, wi)
@@ -63,6 +71,17 @@ Surface surfaceOf(Query q) {
   s.coatAlpha = q.coatAlpha;
   s.coatNormal = q.coatNormal;
   s.coatCosOut = dot(q.wo, q.coatNormal);
+  s.frame = mat3(1.0);
+  s.backwards = q.wo;
+  s.diffuseTransmissionColor = q.diffuseTransmissionColor;
+  s.diffuseTransmission = q.diffuseTransmission;
+  s.sheenColor = q.sheenColor;
+  s.sheenAlpha = q.sheenAlpha;
+  s.alphas = vec2(mix(q.alpha, 1.0, q.stretch.x), q.alpha);
+  s.tangent = vec3(cos(q.stretch.y), sin(q.stretch.y), 0.0);
+  s.iridescence = q.iridescence;
+  s.filmIor = q.filmIor;
+  s.filmThickness = q.filmThickness;
   return s;
 }
 
@@ -71,7 +90,7 @@ void main() {
   if (i >= count) return;
   const Query q = items[i];
   Bsdf b = makeBsdf(surfaceOf(q), q.wo.z);
-  b.coat.isAdjoint = q.isAdjoint != 0u;
+  if (q.isAdjoint != 0u) makeAdjoint(b);
   Answer a;
   a.value = evalBsdf(b, q.wo, q.wi, a.pdf);
   const BsdfSample s = sampleBsdf(b, q.wo, q.uLobe, q.u);

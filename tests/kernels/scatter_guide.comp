@@ -48,6 +48,12 @@ void main() {
   s.coatAlpha = 0.0;
   const vec3 wo = normalize(vec3(0.5, 0.2, 0.8));
   s.coatCosOut = wo.z;
+  s.frame = mat3(1.0);
+  s.backwards = wo;
+  s.diffuseTransmission = 0.0;
+  s.sheenColor = vec3(0.0);
+  s.alphas = vec2(s.alpha);
+  s.iridescence = 0.0;
   const Bsdf b = makeBsdf(s, wo.z);
   float scale;
   const BsdfSample sampled =

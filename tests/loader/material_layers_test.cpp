@@ -3,6 +3,7 @@
 
 #include "loader/image_builder.h"
 #include "loader/load.h"
+#include "scene/packing.h"
 
 namespace importon::test::layers_test {
 namespace {
@@ -93,6 +94,28 @@ TEST(MaterialLayers, ReadTexturesWhereTheFactorAsksForThem) {
       ASSERT_EQ(used != kNone && scene.textures[used].isSrgb != 0, used != kNone && texture.isSrgb) << texture.key;
     }
   }
+}
+
+/// An anisotropic surface needs tangents, with a texture or without.
+TEST(MaterialLayers, OfAnisotropyGetTangents) {
+  for (const bool hasTexture : {true, false}) {
+    GltfBuilder builder = GltfBuilder::emissiveTriangle();
+    builder.primitive()["attributes"]["TEXCOORD_0"] =
+        builder.addAccessor(std::vector<glm::vec2>{{0, 0}, {0, 1}, {1, 0}}, kFloat, "VEC2");
+    Json& layer = builder.json["materials"][0]["extensions"]["KHR_materials_anisotropy"];
+    layer["anisotropyStrength"] = 0.5;
+    if (hasTexture) layer["anisotropyTexture"]["index"] = builder.addTexture(makePng(1, 1, Bytes(4, 128)));
+    const Scene scene = load(builder);
+    ASSERT_NE(scene.vertices[0].tangent, kNone);
+    EXPECT_EQ(scene.vertices[0].tangent, packTangent({0, 1, 0}, false));  // where u grows
+  }
+}
+
+TEST(MaterialLayers, MayBeRequired) {
+  GltfBuilder builder = GltfBuilder::emissiveTriangle();
+  for (const char* name : {"diffuse_transmission", "sheen", "anisotropy", "iridescence", "dispersion"})
+    builder.json["extensionsRequired"].push_back(std::string(kLayers) + name);
+  EXPECT_EQ(errorOf(builder), "");
 }
 
 TEST(MaterialLayers, RefuseFactorsOutOfRange) {

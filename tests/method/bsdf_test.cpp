@@ -4,66 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <random>
 #include <string>
 
-#include "method/sphere_histogram.h"
-#include "render/device_scene/albedo_table.h"
-#include "support/gpu_test.h"
-#include "support/statistics.h"
-#include "test_kernels/registry.h"
+#include "method/bsdf_rig.h"
 
 namespace importon::bsdf_test {
 namespace {
-
-/// As in tests/kernels/bsdf.comp.
-struct Query {
-  vec3 baseColor{0.8f};
-  float metallic = 0, alpha = 1, transmission = 0, ior = 1.5f, specular = 1;
-  uint isFront = 1, isSolid = 1;
-  vec3 wo{0, 0, 1}, wi{0, 0, 1};
-  vec2 u{0.5f};
-  float uLobe = 0.5f;
-  float coat = 0, coatAlpha = 0;
-  vec3 coatNormal{0, 0, 1};
-  uint isAdjoint = 0;
-  vec3 specularColor{1};
-};
-struct Answer {
-  vec3 value;
-  float pdf;
-  vec3 sampled, weight;
-  float sampledPdf;
-  uint isDelta, isTransmission;
-};
-
-struct Case {
-  std::string name;
-  Query material;
-  bool sharp = false;  // one narrow lobe of reflection
-};
-
-Query rough(float roughness, float metallic) {
-  Query q;
-  q.alpha = roughness * roughness;
-  q.metallic = metallic;
-  return q;
-}
-
-Query roughGlass(bool isFront) {
-  Query q = rough(0.6f, 0);
-  q.baseColor = vec3(1);
-  q.transmission = 1;
-  q.isFront = isFront;
-  return q;
-}
-
-Query coated(Query material, float roughness) {
-  material.coat = 1;
-  material.coatAlpha = roughness * roughness;
-  return material;
-}
 
 std::vector<Case> cases() {
   Query lambert;
@@ -92,103 +39,6 @@ std::vector<Case> cases() {
           {"clear coat of another normal", tilted}};
 }
 
-const std::vector<vec3>& outgoing() {
-  static const std::vector<vec3> directions{vec3(0, 0, 1), glm::normalize(vec3(0.5f, 0.2f, 0.8f)),
-                                            glm::normalize(vec3(-0.3f, 0.9f, 0.35f))};
-  return directions;
-}
-
-class BsdfTest : public test::GpuTest {
- protected:
-  static void TearDownTestSuite() { kernel_.reset(); }
-
-  /// Compiled once for all tests.
-  const gpu::Kernel& kernel() const {
-    if (!kernel_) kernel_.emplace(context(), "BSDF", test_kernels::code("bsdf"));
-    return *kernel_;
-  }
-
-  std::vector<Answer> ask(const std::vector<Query>& queries) const {
-    const gpu::Buffer input = gpu::makeBuffer(context(), "queries", std::span<const Query>(queries));
-    const gpu::Buffer output(context(), "answers", queries.size() * sizeof(Answer));
-    const gpu::Buffer albedo = gpu::makeBuffer(context(), "albedo", albedoTable(), gpu::TexelFormat::uint1);
-    const gpu::Buffer* const bindings[] = {&input, &output, &albedo};
-    gpu::Recorder recorder(context());
-    recorder.dispatch(kernel(), bindings, queries.size(), static_cast<std::uint32_t>(queries.size()));
-    recorder.submitAndWait();
-    return output.download<Answer>(queries.size());
-  }
-
-  /// Answers to `material` with random numbers on a grid of side³ with a random shift in each cell.
-  std::vector<Answer> sample(const Query& material, const vec3& wo, int side) const {
-    std::mt19937 random(11);
-    std::uniform_real_distribution<double> unit;
-    const auto at = [&](int i) { return static_cast<float>(std::min((i + unit(random)) / side, 0.99999994)); };
-    std::vector<Query> queries;
-    for (int i = 0; i < side; ++i) {
-      for (int j = 0; j < side; ++j) {
-        for (int k = 0; k < side; ++k) {
-          Query q = material;
-          q.wo = wo;
-          q.u = vec2(at(i), at(j));
-          q.uLobe = at(k);
-          queries.push_back(q);
-        }
-      }
-    }
-    return ask(queries);
-  }
-
-  std::vector<Answer> sampleFreely(const Query& material, const vec3& wo, int count) const {
-    std::mt19937 random(5);
-    std::uniform_real_distribution<float> unit(0, 0.99999994f);
-    std::vector<Query> queries(static_cast<std::size_t>(count), material);
-    for (Query& q : queries) {
-      q.wo = wo;
-      q.u = vec2(unit(random), unit(random));
-      q.uLobe = unit(random);
-    }
-    return ask(queries);
-  }
-
-  void expectDensity(const Case& c, const vec3& wo) const {
-    constexpr int kSamples = 200'000;
-    const vec3 axis = c.sharp ? vec3(-wo.x, -wo.y, wo.z) : vec3(0, 0, 1);
-    test::SphereHistogram cells(axis, c.sharp ? static_cast<double>(c.material.alpha) : 1.0, 20, 20);
-    double deltas = 0;
-    for (const Answer& a : sampleFreely(c.material, wo, kSamples)) {
-      if (a.isDelta != 0)
-        ++deltas;
-      else if (a.sampledPdf > 0)
-        cells.add(a.sampled);
-    }
-    std::vector<Query> queries;
-    for (const vec3& wi : cells.quadrature()) {
-      queries.push_back(c.material);
-      queries.back().wo = wo;
-      queries.back().wi = wi;
-    }
-    std::vector<double> densities;
-    for (const Answer& a : ask(queries)) densities.push_back(a.pdf);
-    cells.expect(densities, kSamples);
-    EXPECT_LE(cells.integral(kSamples) + deltas / kSamples, 1.01);
-    EXPECT_GT(cells.pValue(kSamples), 1e-4);
-  }
-
-  /// Light that a white surface shows under light of radiance 1 from everywhere.
-  test::Moments furnace(const Query& material, float cosine) const {
-    test::Moments light;
-    const auto answers = sample(material, vec3(std::sqrt(1 - cosine * cosine), 0, cosine), 16);
-    for (const Answer& a : answers) light.add(static_cast<double>(a.weight.x));
-    return light;
-  }
-
- private:
-  static std::optional<gpu::Kernel> kernel_;
-};
-
-std::optional<gpu::Kernel> BsdfTest::kernel_;
-
 TEST_F(BsdfTest, SampledDirectionsHaveTheStatedDensity) {
   for (const Case& c : cases()) {
     for (const vec3& wo : outgoing()) {
@@ -199,23 +49,7 @@ TEST_F(BsdfTest, SampledDirectionsHaveTheStatedDensity) {
 }
 
 TEST_F(BsdfTest, WeightsAreTheValueOverTheDensity) {
-  for (const Case& c : cases()) {
-    auto answers = sampleFreely(c.material, outgoing()[1], 2000);
-    std::vector<Query> queries(answers.size(), c.material);
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-      queries[i].wo = outgoing()[1];
-      queries[i].wi = answers[i].sampled;
-    }
-    const auto again = ask(queries);
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-      const Answer& a = answers[i];
-      if (a.isDelta != 0 || a.sampledPdf <= 0) continue;
-      ASSERT_NEAR(again[i].pdf / a.sampledPdf, 1, 1e-3) << c.name;
-      ASSERT_NEAR(glm::length(a.weight * a.sampledPdf - again[i].value), 0, 1e-3 * glm::length(again[i].value) + 1e-6)
-          << c.name;
-      ASSERT_EQ(a.isTransmission != 0, a.sampled.z < 0) << c.name;
-    }
-  }
+  for (const Case& c : cases()) expectWeights(c);
 }
 
 /// White materials that absorb nothing, of one roughness and index.
@@ -236,19 +70,6 @@ std::vector<Case> whiteCases(float roughness, float ior) {
   return {{"metal", metal},           {"base under interface", coat}, {"half metallic", half},
           {"sheet", sheet},           {"half transmitting", mixed},   {"solid from outside", front},
           {"solid from inside", back}};
-}
-
-/// What interpolation in the tables of directional albedo may be off by: of light from outside, and of light from
-/// inside a solid, whose table bends sharply at the critical angle.
-constexpr double kTable = 0.004, kInnerTable = 0.006;
-/// And of what coats take: a base under an interface counts as diffuse there.
-constexpr double kCoatTable = 0.01;
-
-/// That the mean may lie within the bounds, at significance 1e-6 for each of the hundreds of cases.
-::testing::AssertionResult liesWithin(const test::Moments& light, double low, double high) {
-  const double nearest = std::clamp(light.mean(), low, high);
-  if (test::zTest(light.mean(), light.standardError(), nearest).pValue > 1e-6) return ::testing::AssertionSuccess();
-  return ::testing::AssertionFailure() << light.mean() << " +- " << light.standardError();
 }
 
 // Light that microfacets scatter more than once is not lost.
@@ -357,28 +178,8 @@ TEST_F(BsdfTest, SmoothGlassSplitsAllLightBetweenReflectionAndRefraction) {
 }
 
 TEST_F(BsdfTest, ReflectionIsReciprocal) {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<float> side(-1, 1), height(0.02f, 1);
-  for (const Case& c : cases()) {
-    if (c.material.transmission > 0) continue;
-    std::vector<Query> there(5000, c.material), back;
-    for (Query& q : there) {
-      q.wo = glm::normalize(vec3(side(random), side(random), height(random)));
-      q.wi = glm::normalize(vec3(side(random), side(random), height(random)));
-      back.push_back(q);
-      std::swap(back.back().wo, back.back().wi);
-      back.back().isAdjoint = 1;  // of photons; it counts where the coat has a normal of its own
-    }
-    const auto a = ask(there), b = ask(back);
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      const vec3& normal = c.material.coatNormal;
-      const bool isBounded = std::min(glm::dot(there[i].wo, normal), glm::dot(there[i].wi, normal)) < 0.3f;
-      if (normal.z < 1.0f && isBounded) continue;
-      const double f = static_cast<double>(a[i].value.x / there[i].wi.z),
-                   g = static_cast<double>(b[i].value.x / there[i].wo.z);
-      ASSERT_NEAR(f, g, 1e-4 * std::max(f, g)) << c.name;
-    }
-  }
+  for (const Case& c : cases())
+    if (c.material.transmission == 0) expectReciprocal(c);
 }
 
 // Flux that goes through, and back: equal but for the squared relative index. [Veach 1997, eq. 5.14]

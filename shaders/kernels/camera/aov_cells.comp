@@ -24,7 +24,7 @@ void main() {
   const uint side = cellSide(hit.triangle, vec2(hit.u, hit.v), s.isFront);
   const uint base = kAovFloats * slot + 1u;
   const float area = uintBitsToFloat(texelFetch(cellPlaces, int(side / 2u)).y);
-  aov[base + kAovImportance] = importanceAt(params.globalMap, s.position, s.geometricNormal);
-  aov[base + kAovRequired] = requiredDensity(params.globalMap, s.position, s.geometricNormal);
+  aov[base + kAovImportance] = importanceAt(params.globalMap, s.position, s.mapNormal);
+  aov[base + kAovRequired] = requiredDensity(params.globalMap, s.position, s.mapNormal);
   aov[base + kAovDensity] = texelFetch(cellSums, int(2u * side + 1u)).z > 0u ? 1.0 / max(area, 1e-30) : 0.0;
 }

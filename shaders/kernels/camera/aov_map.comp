@@ -31,10 +31,10 @@ void main() {
   const Surface s = loadSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction);
   MapSettings map = params.causticMap;
   if (push.isGlobal != 0u) map = params.globalMap;
-  const float required = requiredDensity(map, s.position, s.geometricNormal);
+  const float required = requiredDensity(map, s.position, s.mapNormal);
   const uint base = kAovFloats * slot + push.isGlobal;
-  aov[base + kAovImportance] = importanceAt(map, s.position, s.geometricNormal);
+  aov[base + kAovImportance] = importanceAt(map, s.position, s.mapNormal);
   aov[base + kAovRequired] = required;
-  aov[base + kAovDensity] = storedDensity(s.position, s.geometricNormal,
-                                          lookupRadius(map, lookupDensity(map, s.position, s.geometricNormal)));
+  aov[base + kAovDensity] = storedDensity(s.position, s.mapNormal,
+                                          lookupRadius(map, lookupDensity(map, s.position, s.mapNormal)));
 }

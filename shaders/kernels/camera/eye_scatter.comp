@@ -36,6 +36,7 @@ void main() {
   }
 
   Surface s = loadSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction);
+  chooseChannel(s, path, ray.id, params.pass);
   relateIndex(s, path);
   if (kHasMedia) path.throughput *= mediumTransmittance(path.media, s, hit.t);
   path.distance += hit.t;

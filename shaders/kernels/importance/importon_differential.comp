@@ -45,12 +45,13 @@ void main() {
   const Ray ray = rayAt(slot);
   const Hit hit = hitAt(slot);
   if (hit.triangle == kNone) return;
-  const PathState path = paths[slot];
+  PathState path = paths[slot];
   PathDifferential d;
   if ((path.flags & kPathDepthMask) == 0u) d = cameraDifferential(params, ray.direction);
   else d = differentials[slot];
 
   Surface s = loadSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction);
+  chooseChannel(s, path, ray.id, params.pass);
   relateIndex(s, path);
   if (kHasMedia) d.share *= mean(mediumTransmittance(path.media, s, hit.t));
   transferDifferential(d, hit.t, ray.direction, s.geometricNormal);

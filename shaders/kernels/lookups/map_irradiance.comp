@@ -22,13 +22,13 @@ layout(push_constant, scalar) uniform Push {
 
 /// The nearest photon within the lookup radius; kNone: there is none.
 uint nearestPhoton(Surface s, float radius) {
-  Walk walk = beginWalk(storedFrame(), counters[push.levels], s.position, s.geometricNormal, radius, radius);
+  Walk walk = beginWalk(storedFrame(), counters[push.levels], s.position, s.mapNormal, radius, radius);
   uint nearest = kNone;
   float least = kInfinity;
   while (nextPoint(walk)) {
     const float d2 = dot(walk.offset, walk.offset);
-    if (d2 >= least || !isInside(walk, s.geometricNormal, radius)) continue;
-    if (!hasLikeNormal(walk.packed, s.geometricNormal, kLikeNormal)) continue;
+    if (d2 >= least || !isInside(walk, s.mapNormal, radius)) continue;
+    if (!hasLikeNormal(walk.packed, s.mapNormal, kLikeNormal)) continue;
     least = d2;
     nearest = walk.index;
   }
@@ -37,7 +37,7 @@ uint nearestPhoton(Surface s, float radius) {
 
 /// The nearest importon of the finest cell around s; kNone: there is none.
 uint nearestSite(MapSettings map, Surface s) {
-  return importonAt(importonFrame(), map.importonLevels, s.position, s.geometricNormal);
+  return importonAt(importonFrame(), map.importonLevels, s.position, s.mapNormal);
 }
 
 void main() {
@@ -56,7 +56,7 @@ void main() {
   if (push.isGlobal != 0u) map = params.globalMap;
   uint at;
   if (push.arePhotons != 0u)
-    at = nearestPhoton(s, lookupRadius(map, lookupDensity(map, s.position, s.geometricNormal)));
+    at = nearestPhoton(s, lookupRadius(map, lookupDensity(map, s.position, s.mapNormal)));
   else at = nearestSite(map, s);
   if (at == kNone) return;
   float pdf;

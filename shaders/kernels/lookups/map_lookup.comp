@@ -18,7 +18,7 @@ layout(push_constant, scalar) uniform Push {
 vec3 photonContribution(Surface s, Bsdf b, vec3 wo, mat3 frame, uint photon, float radius) {
   const uvec4 point = gridPoint(photon);
   const vec3 offset = uintBitsToFloat(point.xyz) - s.position;
-  if (!hasLikeNormal(point.w, s.geometricNormal, kLikeNormal)) return vec3(0.0);
+  if (!hasLikeNormal(point.w, s.mapNormal, kLikeNormal)) return vec3(0.0);
   return photonLight(s, b, wo, frame, photon, point.w) * epanechnikov(dot(offset, offset), radius);
 }
 
@@ -30,10 +30,10 @@ vec3 reflectedRadiance(Surface s, vec3 direction, float radius, bool isRest) {
   float left;
   if (kHasReflection && isRest) removeDiffuse(b, wo.z, left);
   vec3 sum = vec3(0.0);
-  Walk walk = beginWalk(storedFrame(), counters[push.levels], s.position, s.geometricNormal, radius, radius);
+  Walk walk = beginWalk(storedFrame(), counters[push.levels], s.position, s.mapNormal, radius, radius);
   bool isDone = false;
   while (!isDone) {
-    const uint count = collectFound(walk, s.geometricNormal, radius, isDone);
+    const uint count = collectFound(walk, s.mapNormal, radius, isDone);
     for (uint k = 0u; k < count; ++k) sum += photonContribution(s, b, wo, frame, foundPoints[k], radius);
   }
   return sum;
@@ -51,7 +51,7 @@ void main() {
   if (radius <= 0.0) {
     MapSettings map = params.causticMap;
     if (push.isGlobal != 0u) map = params.globalMap;
-    radius = lookupRadius(map, lookupDensity(map, s.position, s.geometricNormal));
+    radius = lookupRadius(map, lookupDensity(map, s.position, s.mapNormal));
   }
   const vec3 light =
       vertex.throughput * reflectedRadiance(s, vertex.direction, radius, (flags & kPathLookupRest) != 0u);

@@ -46,20 +46,20 @@ bool findNearest(Surface s, out Walk walk, out float radius, out Shell shell) {
     const uint at = uint(findMSB(levels));
     levels ^= 1u << at;
     const float edge = gridCellEdge(frame, at);
-    walk = beginWalkLevels(frame, s.position, s.geometricNormal, edge, 1u << at);
+    walk = beginWalkLevels(frame, s.position, s.mapNormal, edge, 1u << at);
     isTooMuch = last != kNone && pointsOf(walk) > kMostPoints;
     if (isTooMuch) break;
     last = at;
     radius = edge;
     shell = beginShell(radius);
-    isFound = narrow(walk, s.geometricNormal, radius, push.nearest, shell);
+    isFound = narrow(walk, s.mapNormal, radius, push.nearest, shell);
   }
   if (isTooMuch) {
-    walk = beginWalkLevels(frame, s.position, s.geometricNormal, radius, 1u << last);
+    walk = beginWalkLevels(frame, s.position, s.mapNormal, radius, 1u << last);
     shell = beginShell(radius);
   }
   while (isFound && shell.between > 1u && shell.shift > kFinestShift)
-    narrow(walk, s.geometricNormal, radius, push.nearest, shell);
+    narrow(walk, s.mapNormal, radius, push.nearest, shell);
   return isFound;
 }
 
@@ -76,7 +76,7 @@ vec3 reflectedRadiance(Surface s, vec3 direction) {
   float outermost = -1.0;
   restartWalk(walk);
   while (nextPoint(walk)) {
-    const float d2 = countedDistance(walk, s.geometricNormal, radius);
+    const float d2 = countedDistance(walk, s.mapNormal, radius);
     if (d2 < 0.0 || !isWithin(shell, d2)) continue;
     const vec3 light = photonLight(s, b, wo, frame, walk.index, walk.packed);
     sum += light;

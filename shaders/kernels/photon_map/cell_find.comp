@@ -5,8 +5,8 @@
 #include "bindings/importance.glsl"
 #include "bindings/photon_cells.glsl"
 #include "bindings/selection.glsl"
+#include "lib/features.glsl"
 #include "lib/seen_light.glsl"
-#include "shared/features.h"
 
 layout(constant_id = kSpecIsDirectional) const bool kIsDirectional = false;
 layout(scalar) writeonly buffer HomesBlock { uint homes[]; };
@@ -28,7 +28,8 @@ void main() {
   float density = requiredDensityAt(map, importons.first);
   if (kIsDirectional && push.isGlobal == 0u && (kind & kRecordGlossy) != 0u && importons.first != kNone)
     density *= seenShare(mapPointDirection(importonPoint(importons.first).w), mapPointDirection(point.packed), normal);
-  const uint lightClass = (kind & kRecordGlossy) != 0u ? 1u + directionClass(mapPointDirection(point.packed)) : 0u;
+  uint lightClass = (kind & kRecordGlossy) != 0u ? 1u + directionClass(mapPointDirection(point.packed)) : 0u;
+  if (kHasDiffuseTransmission && dot(mapPointDirection(point.packed), normal) < 0.0) lightClass += kLightClasses;
   const uint level = cellLevel(params.gridExtent, normal, density);
   const uint slot = findCell(
       cellKey(point.position - params.gridOrigin, params.gridExtent, level, directionClass(normal), lightClass));

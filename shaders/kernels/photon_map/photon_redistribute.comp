@@ -36,7 +36,7 @@ uint takeReceivers(Walk walk, GridFrame frame, Giver giver, float radius) {
     // Three eighths of its cell's edge are at most the receiver's quota radius.
     const float own = min(radius, 0.375 * gridCellEdge(frame, walk.level));
     if (!isInside(walk, giver.normal, own) || !hasLikeNormal(walk.packed, giver.normal, kLikeNormal)) continue;
-    if (!giver.isGlossy || dot(mapPointDirection(walk.packed), giver.direction) > kGlossyCone)
+    if (!giver.isGlossy || comesAlike(mapPointDirection(walk.packed), giver))
       count = insertReceiver(count, texelFetch(storedOrder, int(walk.index)).x, dot(walk.offset, walk.offset));
   }
   return count;

@@ -30,7 +30,7 @@ void writeRecord(uint at, Surface s, bool isGlossy, vec3 direction, PathState pa
   const bool isCaustic = kPhotonKind == kPhotonsCaustic;
   if (isCaustic && (path.flags & kPathSpecular) == 0u) return;
   const uint rank = path.id << 5 | min(path.flags & kPathDepthMask, 31u);
-  recordPoints[at] = MapPoint(s.position, packMapPoint(-direction, s.geometricNormal, 0u));
+  recordPoints[at] = MapPoint(s.position, packMapPoint(-direction, s.mapNormal, 0u));
   records[at] = Record(path.throughput, (isCaustic ? kRecordCaustic : kRecordGlobal) |
                                             (isGlossy ? kRecordGlossy : 0u) | rank << kRecordRankShift);
 }
@@ -44,18 +44,18 @@ void writeCell(uint at, Surface s, Hit hit, Bsdf b, vec3 direction, float cosIn)
 }
 
 /// Scatters the photon; false: absorbed. Throughput keeps its mean by Russian roulette.
-bool scatter(Surface s, Bsdf b, mat3 frame, vec3 direction, inout PathState path, out Ray ray) {
+bool scatter(Surface s, Bsdf b, vec3 direction, inout PathState path, out Ray ray) {
   const MapSettings map = mapOfPhotons();
   const uint stream = photonStream(push.stream, map, path.id), index = photonIndex(map, path.id);
   const vec2 choice = sequencePoint(stream, index, eventPair(path.flags, kPairLobe));
-  const vec3 towardsLight = -direction * frame;
+  const vec3 towardsLight = -direction * s.frame;
   const vec2 u = sequencePoint(stream, index, eventPair(path.flags, kPairScatter));
   float scale = 1.0;
   BsdfSample next;
   if (kScatterIsGuided)
-    next = sampleGuidedBsdf(b, towardsLight, scatterGuideAt(push.guide, b, s.position, frame[2]), choice.x, u, scale);
+    next = sampleGuidedBsdf(b, towardsLight, scatterGuideAt(push.guide, b, s.position, s.frame[2]), choice.x, u, scale);
   else next = sampleBsdf(b, towardsLight, choice.x, u);
-  const vec3 wi = frame * next.wi;
+  const vec3 wi = s.frame * next.wi;
   ray = nextRay(s, wi, hash(index ^ hash(path.flags)));
   if (!isConsistent(s, wi, next.isTransmission)) return false;
   const vec3 weight = next.weight * adjointFactor(s, direction, towardsLight.z, wi, next.wi.z);
@@ -84,18 +84,19 @@ void main() {
 
   PathState path = paths[slot];
   Surface s = loadSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction);
+  chooseChannel(s, path, ray.id, params.pass);
   relateIndex(s, path);
   if ((s.flags & kMaterialUnlit) != 0u) return;
   if (kHasMedia) path.throughput *= mediumTransmittance(path.media, s, hit.t);
-  const mat3 frame = kScatterIsGuided ? scatterFrame(s.shadingNormal) : frameAround(s.shadingNormal);
+  if (kScatterIsGuided) s.frame = scatterFrame(s.shadingNormal);
   const float cosIn = dot(-ray.direction, s.shadingNormal);
   Bsdf b = makeBsdf(s, cosIn);
-  b.coat.isAdjoint = true;
+  makeAdjoint(b);
   if (hasRoughLobe(b) && !isFrosted(b)) writeRecord(at, s, isGlossy(b), ray.direction, path);
   if (kPhotonKind == kPhotonsGlobal && (path.flags & kPathDepthMask) == 0u) seeLight(path.source, s.position);
   if (kReadsCells && kPhotonKind == kPhotonsGlobal) writeCell(at, s, hit, b, ray.direction, cosIn);
   Ray next;
-  if (!scatter(s, b, frame, ray.direction, path, next)) return;
+  if (!scatter(s, b, ray.direction, path, next)) return;
   keep[i] = 1u;
   rays[slot] = next;
   paths[slot] = path;

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "render/device_scene/sheen_albedo.h"
 #include "shared/albedo_table.h"
 
 namespace importon {
@@ -16,27 +17,34 @@ constexpr double kPi = 3.14159265358979323846;
 using Pair = std::array<double, 2>;
 using dvec3 = glm::dvec3;
 
-double lambda(const dvec3& w, double alpha) {
-  const double tan2 = (w.x * w.x + w.y * w.y) / std::max(w.z * w.z, 1e-30);
-  return 0.5 * (std::sqrt(1 + alpha * alpha * tan2) - 1);
+/// Roughness along x and along y; a number alone stands for both.
+struct Alpha {
+  Alpha(double both) : x(both), y(both) {}
+  Alpha(double along, double across) : x(along), y(across) {}
+  double x, y;
+};
+
+double lambda(const dvec3& w, const Alpha& alpha) {
+  const double slope2 = alpha.x * alpha.x * w.x * w.x + alpha.y * alpha.y * w.y * w.y;
+  return 0.5 * (std::sqrt(1 + slope2 / std::max(w.z * w.z, 1e-30)) - 1);
 }
 
-dvec3 visibleNormal(const dvec3& wo, double alpha, double u, double v) {
-  const dvec3 view = glm::normalize(dvec3(alpha * wo.x, alpha * wo.y, wo.z));
+dvec3 visibleNormal(const dvec3& wo, const Alpha& alpha, double u, double v) {
+  const dvec3 view = glm::normalize(dvec3(alpha.x * wo.x, alpha.y * wo.y, wo.z));
   const double sine = std::hypot(view.x, view.y);
   const dvec3 t1 = sine > 0 ? dvec3(-view.y, view.x, 0) / sine : dvec3(1, 0, 0);
   const dvec3 t2 = glm::cross(view, t1);
   const double r = std::sqrt(u), phi = 2 * kPi * v, x = r * std::cos(phi), s = 0.5 * (1 + view.z);
   const double y = (1 - s) * std::sqrt(std::max(0.0, 1 - x * x)) + s * r * std::sin(phi);
   const dvec3 n = x * t1 + y * t2 + std::sqrt(std::max(0.0, 1 - x * x - y * y)) * view;
-  return glm::normalize(dvec3(alpha * n.x, alpha * n.y, std::max(1e-9, n.z)));
+  return glm::normalize(dvec3(alpha.x * n.x, alpha.y * n.y, std::max(1e-9, n.z)));
 }
 
 dvec3 directionAt(double cosine) { return {std::sqrt(std::max(0.0, 1 - cosine * cosine)), 0, cosine}; }
 
 /// Mean of `weight(wo, h)` over normals visible from wo.
 template <class Weight>
-auto meanOverNormals(const dvec3& wo, double alpha, int side, const Weight& weight) {
+auto meanOverNormals(const dvec3& wo, const Alpha& alpha, int side, const Weight& weight) {
   Pair sum{};
   for (int i = 0; i < side; ++i) {
     for (int j = 0; j < side; ++j) {
@@ -48,16 +56,42 @@ auto meanOverNormals(const dvec3& wo, double alpha, int side, const Weight& weig
   return Pair{sum[0] / (side * side), sum[1] / (side * side)};
 }
 
-Pair reflectionAlbedo(double cosine, double alpha) {
-  constexpr int kSide = 96;
-  const dvec3 wo = directionAt(cosine);
+Pair reflectionAlbedo(const dvec3& wo, const Alpha& alpha, int side) {
   const double out = 1 + lambda(wo, alpha);
-  return meanOverNormals(wo, alpha, kSide, [&](const dvec3& h) {
+  return meanOverNormals(wo, alpha, side, [&](const dvec3& h) {
     const double c = glm::dot(wo, h);
     const dvec3 wi = 2 * c * h - wo;
     const double weight = wi.z > 0 ? out / (out + lambda(wi, alpha)) : 0;
     return Pair{weight, weight * std::pow(std::clamp(1 - c, 0.0, 1.0), 5)};
   });
+}
+
+/// Roughness in the table of anisotropic albedo, of entries along each axis.
+Alpha stretchedAlpha(unsigned b, unsigned s) {
+  const double across = std::max(std::pow(b / (kStretchAlphas - 1.0), 2), 1e-4);
+  return {across + (1 - across) * std::pow(s / (kStretches - 1.0), 2), across};
+}
+
+/// Squared cosine of the azimuth at which roughness is the share `t`, squared, of the way from across to along.
+double azimuthAt(double t, const Alpha& alpha) {
+  const double rough = alpha.y + t * t * (alpha.x - alpha.y), range = alpha.x * alpha.x - alpha.y * alpha.y;
+  return range > 0 ? std::clamp((rough * rough - alpha.y * alpha.y) / range, 0.0, 1.0) : 0.0;
+}
+
+/// The table for one pair of roughnesses.
+std::vector<Pair> stretchedRows(const Alpha& alpha) {
+  constexpr int kSide = 48;
+  std::vector<Pair> rows;
+  for (unsigned t = 0; t < kStretchAzimuths; ++t) {
+    const double azimuth = azimuthAt(t / (kStretchAzimuths - 1.0), alpha);
+    for (unsigned i = 0; i < kStretchCosines; ++i) {
+      const double cosine = std::pow(std::max(i / (kStretchCosines - 1.0), 0.03), 2),
+                   sine = std::sqrt(1 - cosine * cosine);
+      rows.push_back(
+          reflectionAlbedo(dvec3(sine * std::sqrt(azimuth), sine * std::sqrt(1 - azimuth), cosine), alpha, kSide));
+    }
+  }
+  return rows;
 }
 
 double fresnel(double cosine, double eta) {
@@ -163,9 +197,46 @@ void tabulate(unsigned side, const Albedo& albedo, std::vector<Pair>& texels, st
   }
 }
 
+/// Mean of interpolated rows over all directions, weighted by the cosine.
+Pair meanOfStretched(const std::vector<Pair>& rows, const Alpha& alpha) {
+  constexpr int kSteps = 64;
+  Pair sum{};
+  for (int k = 0; k < kSteps; ++k) {
+    const double turn = std::pow(std::cos((k + 0.5) / kSteps * kPi / 2), 2);
+    const double rough = std::sqrt(alpha.y * alpha.y + turn * (alpha.x * alpha.x - alpha.y * alpha.y));
+    const double t = alpha.x > alpha.y ? std::sqrt((rough - alpha.y) / (alpha.x - alpha.y)) : 0;
+    const double place = t * (kStretchAzimuths - 1.0);
+    const auto row = std::min(static_cast<std::size_t>(place), std::size_t{kStretchAzimuths - 2});
+    for (std::size_t c : {0u, 1u}) {
+      std::vector<double> between;
+      for (std::size_t i = 0; i < kStretchCosines; ++i) {
+        const double low = rows[row * kStretchCosines + i][c], high = rows[(row + 1) * kStretchCosines + i][c];
+        between.push_back(low + (place - static_cast<double>(row)) * (high - low));
+      }
+      sum[c] += meanOfRow(between) / kSteps;
+    }
+  }
+  return sum;
+}
+
+void writeStretched() {
+  std::vector<Pair> means;
+  for (unsigned b = 0; b < kStretchAlphas; ++b) {
+    for (unsigned s = 0; s < kStretches; ++s) {
+      const Alpha alpha = stretchedAlpha(b, s);
+      const std::vector<Pair> rows = stretchedRows(alpha);
+      std::for_each(rows.begin(), rows.end(), write);
+      means.push_back(meanOfStretched(rows, alpha));
+    }
+  }
+  std::for_each(means.begin(), means.end(), write);
+}
+
 void writeAll() {
   std::vector<Pair> texels, means;
-  tabulate(kAlbedoSide, reflectionAlbedo, texels, means);
+  tabulate(
+      kAlbedoSide, [](double cosine, double alpha) { return reflectionAlbedo(directionAt(cosine), alpha, 96); }, texels,
+      means);
   for (const auto* list : {&texels, &means}) std::for_each(list->begin(), list->end(), write);
   const std::vector<Pair> reflection = texels, reflectionMeans = means;
   texels.clear();
@@ -189,6 +260,9 @@ void writeAll() {
         kCoatSide, [&](double cosine, double alpha) { return coatTaken(cosine, alpha, coat); }, texels, means);
   }
   for (const auto* list : {&texels, &means}) std::for_each(list->begin(), list->end(), write);
+  texels = sheenTable();
+  std::for_each(texels.begin(), texels.end(), write);
+  writeStretched();
 }
 
 }  // namespace

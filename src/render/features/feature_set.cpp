@@ -15,7 +15,8 @@ constexpr float kSmoothRoughness = 0.0317f;
 
 bool reflects(const Material& m) {
   return m.metallic > 0 || m.specular > 0 || m.transmission > 0 || m.clearcoat > 0 ||
-         m.metallicRoughnessTexture != kNone;
+         m.metallicRoughnessTexture != kNone || m.diffuseTransmission > 0 || material_table::hasSheen(m) ||
+         m.iridescence > 0;
 }
 
 /// Least value of the roughness channel (green) of a texture.
@@ -69,9 +70,13 @@ bool emitsThroughAlpha(const Material& m) {
   return (m.flags & kMaterialEmissive) != 0 && (m.flags & (kMaterialAlphaMask | kMaterialAlphaBlend)) != 0;
 }
 
+bool transmits(const Material& m) { return m.transmission > 0 || m.diffuseTransmission > 0; }
+
 bool absorbs(const Material& m) {
-  return (m.flags & kMaterialSolid) != 0 && m.transmission > 0 && glm::any(glm::greaterThan(m.absorption, vec3(0)));
+  return (m.flags & kMaterialSolid) != 0 && transmits(m) && glm::any(glm::greaterThan(m.absorption, vec3(0)));
 }
+
+bool disperses(const Material& m) { return (m.flags & kMaterialSolid) != 0 && m.transmission > 0 && m.dispersion > 0; }
 
 bool needsCaustics(const Scene& scene, const RenderJob& job) {
   return job.forcesAllFeatures || std::any_of(scene.materials.begin(), scene.materials.end(), [&](const Material& m) {
@@ -127,13 +132,31 @@ const std::array kFeatures{
                  [](S scene, J) { return anyMaterial(scene, reflects); },
                  "a material reflects otherwise than Lambert's law", "every material is Lambertian"},
     FeatureEntry{"transmission", &F::hasTransmission, kSpecHasTransmission, kScene,
-                 [](S scene, J) { return anyMaterial(scene, [](M m) { return m.transmission > 0; }); },
-                 "a material transmits light", "no material transmits light"},
+                 [](S scene, J) { return anyMaterial(scene, transmits); }, "a material transmits light",
+                 "no material transmits light"},
     FeatureEntry{"media", &F::hasMedia, kSpecHasMedia, kScene, [](S scene, J) { return anyMaterial(scene, absorbs); },
                  "a solid absorbs light", "no solid absorbs light"},
     FeatureEntry{"clear coat", &F::hasClearcoat, kSpecHasClearcoat, kScene,
                  [](S scene, J) { return anyMaterial(scene, [](M m) { return m.clearcoat > 0; }); },
                  "a material has a clear coat", "no material has a clear coat"},
+    FeatureEntry{"diffuse transmission", &F::hasDiffuseTransmission, kSpecHasDiffuseTransmission, kScene,
+                 [](S scene, J) { return anyMaterial(scene, material_table::transmitsDiffusely); },
+                 "a material transmits light diffusely", "no material transmits light diffusely"},
+    FeatureEntry{"sheen", &F::hasSheen, kSpecHasSheen, kScene,
+                 [](S scene, J) { return anyMaterial(scene, material_table::hasSheen); }, "a material has a sheen",
+                 "no material has a sheen"},
+    FeatureEntry{"anisotropy", &F::hasAnisotropy, kSpecHasAnisotropy, kScene,
+                 [](S scene, J) { return anyMaterial(scene, material_table::isAnisotropic); },
+                 "a material is rougher along its tangent", "every material is as rough in all directions"},
+    FeatureEntry{"iridescence", &F::hasIridescence, kSpecHasIridescence, kScene,
+                 [](S scene, J) { return anyMaterial(scene, material_table::isIridescent); },
+                 "a thin film covers a material", "no thin film covers a material"},
+    FeatureEntry{"dispersion", &F::hasDispersion, kSpecHasDispersion, kScene,
+                 [](S scene, J) { return anyMaterial(scene, disperses); }, "a solid bends colours differently",
+                 "no solid bends colours differently"},
+    FeatureEntry{"thickness textures", &F::hasThicknessTextures, kSpecHasThicknessTextures, kScene,
+                 [](S scene, J) { return anyMaterial(scene, [](M m) { return m.thicknessTexture != kNone; }); },
+                 "a volume has a thickness texture", "no volume has a thickness texture"},
     FeatureEntry{"area lights", &F::hasTriangleLights, kSpecHasTriangleLights, kScene,
                  [](S scene, J) { return anyLight(scene, [](uint kind) { return kind == kLightTriangle; }); },
                  "a triangle emits", "no triangle emits"},

@@ -13,8 +13,10 @@ namespace importon {
 /// What each is for stands in the table of feature_set.cpp.
 struct FeatureSet {
   bool hasAlpha = false, hasTextures = false, hasNormalMaps = false, hasVertexColors = false, hasReflection = false,
-       hasTransmission = false, hasMedia = false, hasClearcoat = false, hasTriangleLights = false, hasCutLights = false,
-       hasPunctualLights = false, hasEnvironment = false, hasDeepTextures = false;
+       hasTransmission = false, hasMedia = false, hasClearcoat = false, hasDiffuseTransmission = false,
+       hasSheen = false, hasAnisotropy = false, hasIridescence = false, hasDispersion = false,
+       hasThicknessTextures = false, hasTriangleLights = false, hasCutLights = false, hasPunctualLights = false,
+       hasEnvironment = false, hasDeepTextures = false;
   bool needsCausticMap = false, readsCells = false, needsGlobalMap = false;
   uint pixelFilter = 0;        // kFilter*
   bool hasBackground = false;  // the camera sees another background than the environment

@@ -11,18 +11,33 @@
 namespace importon {
 namespace {
 
-constexpr std::array<std::string_view, 22> kModelled = {
-    "EXT_lights_image_based",  "EXT_mesh_gpu_instancing",
-    "EXT_meshopt_compression", "EXT_texture_avif",
-    "EXT_texture_webp",        "KHR_draco_mesh_compression",
-    "KHR_lights_environment",  "KHR_lights_punctual",
-    "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
-    "KHR_materials_ior",       "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_specular",  "KHR_materials_transmission",
-    "KHR_materials_unlit",     "KHR_materials_variants",
-    "KHR_materials_volume",    "KHR_mesh_quantization",
-    "KHR_meshopt_compression", "KHR_node_visibility",
-    "KHR_texture_basisu",      "KHR_texture_transform"};
+constexpr std::array<std::string_view, 27> kModelled = {"EXT_lights_image_based",
+                                                        "EXT_mesh_gpu_instancing",
+                                                        "EXT_meshopt_compression",
+                                                        "EXT_texture_avif",
+                                                        "EXT_texture_webp",
+                                                        "KHR_draco_mesh_compression",
+                                                        "KHR_lights_environment",
+                                                        "KHR_lights_punctual",
+                                                        "KHR_materials_anisotropy",
+                                                        "KHR_materials_clearcoat",
+                                                        "KHR_materials_diffuse_transmission",
+                                                        "KHR_materials_dispersion",
+                                                        "KHR_materials_emissive_strength",
+                                                        "KHR_materials_ior",
+                                                        "KHR_materials_iridescence",
+                                                        "KHR_materials_pbrSpecularGlossiness",
+                                                        "KHR_materials_sheen",
+                                                        "KHR_materials_specular",
+                                                        "KHR_materials_transmission",
+                                                        "KHR_materials_unlit",
+                                                        "KHR_materials_variants",
+                                                        "KHR_materials_volume",
+                                                        "KHR_mesh_quantization",
+                                                        "KHR_meshopt_compression",
+                                                        "KHR_node_visibility",
+                                                        "KHR_texture_basisu",
+                                                        "KHR_texture_transform"};
 
 /// Extensions that do not alter the picture of a scene at rest, by what they are about. A '*' at the end stands for
 /// anything.
