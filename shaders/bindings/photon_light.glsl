@@ -17,7 +17,9 @@ vec3 photonLight(Surface s, Bsdf b, vec3 wo, mat3 frame, uint photon, uint packe
   const bool isAcross = dot(towardsLight, s.geometricNormal) <= 0.0;
   if (isTranslucent(b) && isAcross != (wi.z <= 0.0)) return vec3(0.0);
   const float cosine = max(abs(dot(towardsLight, s.geometricNormal)), min(abs(wi.z), 0.05));
-  return evalBsdf(b, wo, wi, pdf) / max(cosine, 1e-6) * unpackFlux(texelFetch(mapFlux, int(photon)).xy);
+  vec3 f = evalBsdf(b, wo, wi, pdf) / max(cosine, 1e-6);
+  if (isTranslucent(b) && wi.z < 0.0 && !b.isThin) f /= b.eta * b.eta;  // as for all light from behind an interface
+  return f * unpackFlux(texelFetch(mapFlux, int(photon)).xy);
 }
 
 #endif

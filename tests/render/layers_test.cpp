@@ -164,13 +164,13 @@ TEST_P(LayeredPaths, MapAndPathTracerAgree) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, LayeredPaths,
-                         ::testing::Values(Layered{"LeafLightsFloor", buildLeafLightsFloor, 1024, 256, 15},
+                         ::testing::Values(Layered{"LeafLightsFloor", buildLeafLightsFloor, 512, 128, 15},
                                            Layered{"LightBehindLeaf", buildLightBehindLeaf, 1024, 256, 16},
                                            Layered{"WaxBall", buildWaxBall, 1024, 256, 17, true, false, 20000},
                                            Layered{"Sheen", buildSheen, 1024, 256, 14, false},
                                            Layered{"Anisotropy", buildAnisotropy, 1024, 256, 14, false, true},
                                            Layered{"Iridescence", buildIridescence, 1024, 1024, 14, false},
-                                           Layered{"Dispersion", buildDispersion, 512, 64, 15, false},
+                                           Layered{"Dispersion", buildDispersion, 2048, 256, 16, false},
                                            Layered{"DispersingBall", buildDispersingBall, 16384, 1024, 17, false}),
                          [](const auto& test) { return test.param.name; });
 
