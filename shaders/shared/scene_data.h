@@ -62,8 +62,8 @@ struct Material {
   uint clearcoatRoughnessTexture;  // g
   uint clearcoatNormalTexture;
   float clearcoatNormalScale;
-  uint medium;            // of a solid: 1 .. kMostMedia, the same for equal index and absorption; else 0; device only
-  uint materialOfMedium;  // in the m-th material: one whose solids are of the medium m + 1; device only
+  uint medium;  // of a solid: 1 .. kMostMedia, the same for equal index, dispersion and absorption; else 0; device only
+  uint materialOfMedium;          // in the m-th material: one whose solids are of the medium m + 1; device only
   vec3 diffuseTransmissionColor;  // KHR_materials_diffuse_transmission
   float diffuseTransmission;
   vec3 sheenColor;  // KHR_materials_sheen

@@ -170,7 +170,7 @@ INSTANTIATE_TEST_SUITE_P(Of, LayeredPaths,
                                            Layered{"Sheen", buildSheen, 1024, 256, 14, false},
                                            Layered{"Anisotropy", buildAnisotropy, 1024, 256, 14, false, true},
                                            Layered{"Iridescence", buildIridescence, 1024, 1024, 14, false},
-                                           Layered{"Dispersion", buildDispersion, 2048, 256, 16, false},
+                                           Layered{"Dispersion", buildDispersion, 2048, 256, 18, false},
                                            Layered{"DispersingBall", buildDispersingBall, 16384, 1024, 17, false}),
                          [](const auto& test) { return test.param.name; });
 

@@ -8,7 +8,8 @@ namespace {
 
 /// How different two media are, in index and in what they absorb over a unit of length.
 float distanceOf(const Material& a, const Material& b) {
-  return std::abs(a.ior - b.ior) + glm::length(glm::exp(-a.absorption) - glm::exp(-b.absorption));
+  return std::abs(a.ior - b.ior) + 0.025f * std::abs(a.ior * a.dispersion - b.ior * b.dispersion) +
+         glm::length(glm::exp(-a.absorption) - glm::exp(-b.absorption));
 }
 
 }  // namespace
@@ -20,7 +21,8 @@ std::vector<Material> withMedia(std::vector<Material> materials) {
     material.medium = 0;
     if ((material.flags & kMaterialSolid) == 0) continue;
     const auto isAlike = [&](uint k) {
-      return materials[k].ior == material.ior && materials[k].absorption == material.absorption;
+      return materials[k].ior == material.ior && materials[k].absorption == material.absorption &&
+             materials[k].dispersion == material.dispersion;
     };
     auto medium = std::ranges::find_if(known, isAlike);
     if (medium == known.end() && known.size() < kMostMedia) {
