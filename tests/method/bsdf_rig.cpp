@@ -131,8 +131,7 @@ void BsdfTest::expectWeights(const Case& c) const {
   }
 }
 
-void BsdfTest::expectReciprocal(const Case& c) const {
-  std::mt19937 random(3);
+void BsdfTest::expectReciprocal(const Case& c, std::mt19937& random) const {
   std::uniform_real_distribution<float> side(-1, 1), height(0.02f, 1);
   std::vector<Query> there(5000, c.material), back;
   for (Query& q : there) {

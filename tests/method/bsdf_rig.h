@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -66,7 +67,7 @@ class BsdfTest : public test::GpuTest {
   /// Tests that the weight of samples is their value over their density.
   void expectWeights(const Case& c) const;
   /// Tests that reflection between random directions is the same both ways.
-  void expectReciprocal(const Case& c) const;
+  void expectReciprocal(const Case& c, std::mt19937& random) const;
   /// Light of each channel that a surface shows along a direction under light of radiance 1 from everywhere.
   [[nodiscard]] std::vector<test::Moments> furnaces(const Query& material, const vec3& wo) const;
   [[nodiscard]] test::Moments furnace(const Query& material, float cosine) const;
