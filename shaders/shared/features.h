@@ -20,7 +20,7 @@ SHARED_CONST uint kSpecHasClearcoat = 15u;
 SHARED_CONST uint kSpecHasTriangleLights = 9u;
 SHARED_CONST uint kSpecHasPunctualLights = 10u;
 SHARED_CONST uint kSpecHasEnvironment = 11u;
-SHARED_CONST uint kSpecHasCutLights = 47u;  // masked or blended triangles that emit
+SHARED_CONST uint kSpecHasCutLights = 47u;     // masked or blended triangles that emit
 SHARED_CONST uint kSpecHasDeepTextures = 60u;  // with 16 bits a channel
 // The job.
 SHARED_CONST uint kSpecEyeMode = 12u;  // kEyeImage, kEyeImportons, kEyePath
@@ -30,7 +30,7 @@ SHARED_CONST uint kSpecHasGlobalMap = 14u;
 SHARED_CONST uint kSpecReadsCells = 30u;         // gather rays read an irradiance map instead of photons
 SHARED_CONST uint kSpecDispatchWorkgroup = 19u;  // workgroup size of the kernels dispatched indirectly
 SHARED_CONST uint kSpecPixelFilter = 16u;        // kFilter*
-SHARED_CONST uint kSpecHasBackground = 21u;      // the camera sees params.background where it sees no surface
+SHARED_CONST uint kSpecHasBackground = 48u;      // the camera sees params.background where it sees no surface
 SHARED_CONST uint kSpecIsGuided = 17u;           // emission follows a guide
 SHARED_CONST uint kSpecPhotonKind = 18u;         // kPhotonsGlobal, kPhotonsCaustic
 SHARED_CONST uint kSpecImportanceBound = 20u;    // kBound*

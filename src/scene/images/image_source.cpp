@@ -57,7 +57,8 @@ std::optional<std::size_t> chooseImage(const GltfDocument& document, std::size_t
     log.warn("texture without image", fmt::format("{}: the texture names no image that can be read and is passed over",
                                                   document.source.at(fmt::format("/textures/{}", texture))));
   } else {
-    log.warn("missing image", fmt::format("{}; the material's factor stands alone", reason));
+    document.faults.forgive("missing image", fmt::format("/textures/{}", texture), reason,
+                            "the material's factor stands alone");
   }
   return std::nullopt;
 }

@@ -39,9 +39,14 @@ void convert(Json& material) {
   material["extensions"].erase("KHR_materials_ior");
 }
 
+/// Alpha of a texel, which is a word, or two of 16 bits a channel.
+float alphaOf(const Texture& texture, const std::vector<uint>& texels, std::size_t texel) {
+  if (texture.isDeep != 0) return static_cast<float>(texels[texture.firstTexel + 2 * texel + 1] >> 16) / 65535.0f;
+  return static_cast<float>(texels[texture.firstTexel + texel] >> 24) / 255.0f;
+}
+
 /// 1 - factor · alpha in green, of 8 bits.
-uint roughnessTexel(uint texel, float factor) {
-  const float alpha = static_cast<float>(texel >> 24) / 255.0f;
+uint roughnessTexel(float alpha, float factor) {
   return static_cast<uint>(std::lround((1.0f - factor * alpha) * 255.0f)) << 8;
 }
 
@@ -75,8 +80,9 @@ void makeRoughnessTextures(MaterialSet& set, std::vector<uint>& texels, const st
       }
       texels.resize(first + count);
       for (std::size_t i = 0; i < count; ++i)
-        texels[first + i] = roughnessTexel(texels[texture.firstTexel + i], use.factor);
+        texels[first + i] = roughnessTexel(alphaOf(texture, texels, i), use.factor);
       texture.firstTexel = static_cast<uint>(first);
+      texture.isDeep = 0;
       set.textures.push_back(texture);
     }
     index = entry->second;
