@@ -124,7 +124,7 @@ Ray shadowRay(Surface s, LightSample l, vec3 lift, uint id) {
   return ray;
 }
 
-/// True where smooth normals, not facets, tell what light reaches a surface: as the eye sees it, directly or in mirrors,
+/// True where smooth normals, not facets, tell what light comes: as the eye sees a surface, directly or in mirrors,
 /// and towards a light so low that facets may shadow each other. Elsewhere facets do, as they do for photons.
 bool isSmoothlyLit(PathState path, Surface s, float cosGeometric) {
   return (path.flags & kPathScattered) == 0u && s.lift != vec3(0.0) &&

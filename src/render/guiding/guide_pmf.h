@@ -21,8 +21,8 @@ struct GuidePmf {
 /// Each of bins x bins cells with its neighbours in the same group: half from itself, half from the eight around.
 [[nodiscard]] std::vector<double> smoothBins(const std::vector<double>& moments, std::size_t groups, int bins);
 
-/// Probabilities of the cells of each light before anything was learned: half by power, half the same for each light, so
-/// that one which much stronger ones outshine, whose light may reach nothing, is learned of too.
+/// Probabilities of the cells of each light before anything was learned: half by power, half the same for each light,
+/// so that one which much stronger ones outshine, whose light may reach nothing, is learned of too.
 [[nodiscard]] std::vector<double> startingPmf(const std::vector<double>& powers, std::size_t cellsPerLight);
 
 /// Probabilities of the bins x bins cells of each light: the root of the learned second moment, smoothed, mixed with
