@@ -6,8 +6,8 @@
 
 namespace importon {
 
-/// `materials` with their media numbered, as shaders/lib/path.glsl asks for: solids of equal index and absorption are of
-/// one medium. Of more than kMostMedia, those beyond take the one that is nearest to their own.
+/// `materials` with their media numbered, as shaders/lib/path.glsl asks for: solids of equal index and absorption are
+/// of one medium. Of more than kMostMedia, those beyond take the one that is nearest to their own.
 [[nodiscard]] std::vector<Material> withMedia(std::vector<Material> materials);
 
 }  // namespace importon
