@@ -5,6 +5,8 @@
 #include "lib/media.glsl"
 #include "lib/path_pairs.glsl"
 
+bool isSolidInterface(Surface s) { return (s.flags & kMaterialSolid) != 0u && s.transmission > 0.0; }
+
 /// A material whose solids are of a medium.
 uint materialOfMedium(uint medium) { return materialTexel(kMaterialTexels * (medium - 1u) + 8u).w; }
 
@@ -14,10 +16,8 @@ vec3 mediumTransmittance(uvec2 media, Surface s, float t) {
   const uint medium = innermostMedium(media);
   if (medium != 0u)
     return exp(-uintBitsToFloat(materialTexel(kMaterialTexels * materialOfMedium(medium) + 3u)).rgb * t);
-  return !s.isFront && (s.flags & kMaterialSolid) != 0u && s.transmission > 0.0 ? exp(-s.absorption * t) : vec3(1.0);
+  return !s.isFront && isSolidInterface(s) ? exp(-s.absorption * t) : vec3(1.0);
 }
-
-bool isSolidInterface(Surface s) { return (s.flags & kMaterialSolid) != 0u && s.transmission > 0.0; }
 
 /// Number of the medium behind the surface of a solid.
 uint mediumBehind(Surface s) { return materialTexel(kMaterialTexels * s.material + 8u).z; }
