@@ -1,6 +1,6 @@
 # importon_add_kernels(TARGET NAMESPACE SOURCES FILES...)
 #
-# Compiles compute shaders to SPIR-V, validates them (a module that spirv-val rejects breaks the build), and
+# Compiles compute shaders to SPIR-V, optimises and validates them (a module that spirv-val rejects breaks the build), and
 # embeds them in the static library TARGET with a typed call for each: NAME.comp is called by
 # importon::NAMESPACE::Name of <NAMESPACE/name.h> (src/gpu/describe_kernels.cpp). <NAMESPACE/registry.h> has all by name.
 # Buffers need no binding: glslang numbers those that have none.
@@ -8,7 +8,21 @@
 # rebuilds what includes the edited file and nothing else.
 
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
+find_program(SPIRV_OPT spirv-opt REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
+
+# A driver specialises a module whenever a program starts, and most do it after inlining all functions: here that is
+# done once, and what is left is small. No pass that rewrites arithmetic (--simplify-instructions): see
+# docs/experiments/start-up.md.
+set(SPIRV_OPT_PASSES
+    --merge-return --inline-entry-points-exhaustive --eliminate-dead-functions --eliminate-dead-code-aggressive
+    # Variables of functions become values.
+    --private-to-local --eliminate-local-single-block --eliminate-local-single-store --eliminate-dead-code-aggressive
+    --scalar-replacement=100 --convert-local-access-chains --eliminate-local-single-block
+    --eliminate-local-single-store --eliminate-dead-code-aggressive --ssa-rewrite --eliminate-dead-code-aggressive
+    # What is constant, unused or computed twice goes.
+    --ccp --eliminate-dead-code-aggressive --eliminate-dead-branches --redundancy-elimination --combine-access-chains
+    --vector-dce --eliminate-dead-inserts --merge-blocks)
 
 function(importon_add_kernels target namespace)
   cmake_parse_arguments(PARSE_ARGV 2 ARG "" "" "SOURCES")
@@ -28,6 +42,7 @@ function(importon_add_kernels target namespace)
       OUTPUT ${module}
       COMMAND ${GLSLANG_VALIDATOR} -V --target-env vulkan1.2 --auto-map-bindings --quiet -I${shaderFolder}
               --depfile ${module}.d -o ${module} ${source}
+      COMMAND ${SPIRV_OPT} ${SPIRV_OPT_PASSES} --target-env=vulkan1.2 --scalar-block-layout ${module} -o ${module}
       COMMAND ${SPIRV_VAL} --target-env vulkan1.2 --scalar-block-layout ${module}
       DEPENDS ${source}
       DEPFILE ${module}.d

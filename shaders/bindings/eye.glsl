@@ -144,12 +144,12 @@ void sampleDirectLight(uint slot, inout PathState path, Surface s, Bsdf b, mat3 
   const LightSample l = sampleLight(light, probability, s.position, min(u, vec2(0.99999994)));
   const float cosGeometric = dot(l.direction, s.geometricNormal);
   const vec3 wi = l.direction * frame;
-  const bool isAcross = cosGeometric <= 0.0, isLifted = wi.z > 0.0 && isSmoothlyLit(path, s, cosGeometric);
-  if (isAcross != (wi.z <= 0.0) && !isLifted) return;
+  const bool isOneSided = (cosGeometric <= 0.0) == (wi.z <= 0.0);  // of both normals; else no scattering finds it
+  const bool isLifted = wi.z > 0.0 && isSmoothlyLit(path, s, cosGeometric);
+  if (!isOneSided && !isLifted) return;
   float pdfScatter;
   const vec3 f = evalBsdf(b, -ray.direction * frame, wi, pdfScatter);
-  const bool isFoundByScattering = l.pdf > 0.0 && isAcross == (wi.z <= 0.0);
-  const float weight = isFoundByScattering ? powerHeuristic(l.pdf, pdfScatter) : 1.0;
+  const float weight = l.pdf > 0.0 && isOneSided ? powerHeuristic(l.pdf, pdfScatter) : 1.0;
   const bool isRefracted = kHasTransmission && wi.z < 0.0 && !b.isThin;
   const vec3 light3 = path.throughput * f * l.radiance * (isRefracted ? weight / (b.eta * b.eta) : weight);
   if (maxComponent(light3) <= 0.0) return;

@@ -175,8 +175,8 @@ vec3 keepOnRaySide(vec3 shadingNormal, vec3 geometricNormal, vec3 direction) {
 
 /// The same for a surface that reflects: turns the normal towards the geometric one as far as it takes for the mirror
 /// direction to leave the surface, too; where it does not, a mirror would be black. In the plane of both normals let
-/// the ray come at an angle a to the geometric normal: the mirror direction of a normal at angle n is at 2 n - a, so the
-/// normal sought halves the angle between the ray and the direction just above the horizon.
+/// the ray come at an angle a to the geometric normal: the mirror direction of a normal at angle n is at 2 n - a, so
+/// the normal sought halves the angle between the ray and the direction just above the horizon.
 vec3 keepMirrorOutside(vec3 shadingNormal, vec3 geometricNormal, vec3 direction) {
   const float cosGeometric = -dot(direction, geometricNormal), between = dot(shadingNormal, geometricNormal);
   const float least = min(0.9 * cosGeometric, 0.01);  // cosine of the mirror direction

@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <bit>
-#include <vector>
+
+#include "gpu/device_list.h"
 
 namespace importon::gpu {
 namespace {
 
 void readQueueFamily(VkPhysicalDevice device, DeviceFacts& facts) {
-  std::uint32_t count = 0;
-  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
-  std::vector<VkQueueFamilyProperties> families(count);
-  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
-  const auto found = std::find_if(families.begin(), families.end(), [](const VkQueueFamilyProperties& family) {
-    return (family.queueFlags & VK_QUEUE_COMPUTE_BIT) != 0;
-  });
-  facts.queueFamily = static_cast<std::uint32_t>(found - families.begin());
-  const std::uint32_t bits = found->timestampValidBits;
-  facts.timestampMask = bits >= 64 ? ~0ull : (1ull << bits) - 1;
+  const ComputeQueue queue = computeQueue(device).value();  // chosen devices have one
+  facts.queueFamily = queue.family;
+  facts.timestampMask = queue.timestampBits >= 64 ? ~0ull : (1ull << queue.timestampBits) - 1;
 }
 
 void readLimits(VkPhysicalDevice device, DeviceFacts& facts) {

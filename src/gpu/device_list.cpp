@@ -26,16 +26,6 @@ const char* typeName(VkPhysicalDeviceType type) {
   }
 }
 
-bool hasComputeQueue(VkPhysicalDevice device) {
-  std::uint32_t count = 0;
-  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
-  std::vector<VkQueueFamilyProperties> families(count);
-  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
-  return std::any_of(families.begin(), families.end(), [](const VkQueueFamilyProperties& family) {
-    return (family.queueFlags & VK_QUEUE_COMPUTE_BIT) != 0;
-  });
-}
-
 /// Names of what our kernels need and the device does not have, comma separated.
 std::string missingFeatures(VkPhysicalDevice device, std::uint32_t apiVersion) {
   if (apiVersion < VK_API_VERSION_1_2) return "Vulkan 1.2";
@@ -50,7 +40,7 @@ std::string missingFeatures(VkPhysicalDevice device, std::uint32_t apiVersion) {
     if (!has) missing += (missing.empty() ? "" : ", ") + std::string(name);
   };
   need(features12.scalarBlockLayout == VK_TRUE, "scalarBlockLayout");
-  need(hasComputeQueue(device), "compute queue");
+  need(computeQueue(device).has_value(), "compute queue");
   return missing;
 }
 
@@ -75,6 +65,17 @@ DeviceInfo describe(VkPhysicalDevice device) {
 }
 
 }  // namespace
+
+std::optional<ComputeQueue> computeQueue(VkPhysicalDevice device) {
+  std::uint32_t count = 0;
+  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
+  std::vector<VkQueueFamilyProperties> families(count);
+  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
+  const auto found = std::ranges::find_if(
+      families, [](const VkQueueFamilyProperties& family) { return (family.queueFlags & VK_QUEUE_COMPUTE_BIT) != 0; });
+  if (found == families.end()) return std::nullopt;
+  return ComputeQueue{static_cast<std::uint32_t>(found - families.begin()), found->timestampValidBits};
+}
 
 std::vector<PhysicalDevice> physicalDevices(VkInstance instance) {
   std::uint32_t count = 0;

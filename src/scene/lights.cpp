@@ -118,13 +118,13 @@ float environmentPower(const vec3& radiance, float sceneRadius) {
 }
 
 void addEmissiveTriangles(Scene& scene) {
-  constexpr std::size_t kGrain = 256;
+  constexpr std::size_t kLightsPerTask = 256;
   std::vector<std::size_t> emitters;
   for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
     if ((scene.materials[scene.triangles[i].material].flags & kMaterialEmissive) != 0) emitters.push_back(i);
   }
   std::vector<Light> lights(emitters.size());
-  parallelFor(emitters.size(), kGrain, 0, [&](std::size_t begin, std::size_t end) {
+  parallelFor(emitters.size(), kLightsPerTask, 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) lights[i] = triangleLight(scene, emitters[i]);
   });
   for (const Light& light : lights) {

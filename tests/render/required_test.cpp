@@ -35,7 +35,7 @@ RenderJob requiredJob() {
   RenderJob job = makeJob(Integrator::photon, 2);
   job.photons = 1u << 16;
   job.importons = 1u << 13;
-  job.causticDensity = 2;  // less than photons bring
+  job.causticDensity = 16;  // less than photons bring; with much less, most are stored where no less can be required
   job.gather = 1;
   return job;
 }

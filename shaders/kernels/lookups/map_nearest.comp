@@ -17,9 +17,8 @@ layout(push_constant, scalar) uniform Push {
 
 /// Squared distance of the point at hand, or -1 if it lies on another surface.
 float countedDistance(Walk walk, vec3 normal, float radius) {
-  return isInside(walk, normal, radius) && hasLikeNormal(walk.packed, normal, kLikeNormal)
-             ? dot(walk.offset, walk.offset)
-             : -1.0;
+  const bool isCounted = isInside(walk, normal, radius) && hasLikeNormal(walk.packed, normal, kLikeNormal);
+  return isCounted ? dot(walk.offset, walk.offset) : -1.0;
 }
 
 #include "lib/nearest.glsl"
@@ -39,9 +38,8 @@ uint pointsOf(Walk walk) {
 /// those that might hold M have too many photons, of other surfaces, to look through; the walk is then the last one.
 bool findNearest(Surface s, out Walk walk, out float radius, out Shell shell) {
   const GridFrame frame = storedFrame();
-  uint levels = push.levels;
+  uint levels = push.levels, last = kNone;
   bool isFound = false, isTooMuch = false;
-  uint last = kNone;
   while (levels != 0u && !isFound) {
     const uint at = uint(findMSB(levels));
     levels ^= 1u << at;
@@ -91,8 +89,7 @@ vec3 reflectedRadiance(Surface s, vec3 direction) {
 void main() {
   const uint i = invocationIndex();
   if (i >= counters[push.source] || push.levels == 0u) return;
-  const uint slot = queue[i];
-  const uint flags = paths[slot].flags;
+  const uint slot = queue[i], flags = paths[slot].flags;
   if ((flags & kPathLookup) == 0u || ((flags & kPathLookupGlobal) != 0u) != (push.isGlobal != 0u)) return;
   const EyeVertex vertex = eyeVertices[slot];
   const Surface s = loadSurface(vertex.triangle, vec2(vertex.u, vertex.v), vertex.direction);

@@ -27,12 +27,11 @@ MapSettings mapOfPhotons() {
 }
 
 void writeRecord(uint at, Surface s, bool isGlossy, vec3 direction, PathState path) {
-  const bool isCaustic = kPhotonKind == kPhotonsCaustic;
-  if (isCaustic && (path.flags & kPathSpecular) == 0u) return;
+  if (kPhotonKind == kPhotonsCaustic && (path.flags & kPathSpecular) == 0u) return;
+  const uint kind = kPhotonKind == kPhotonsCaustic ? kRecordCaustic : kRecordGlobal;
   const uint rank = path.id << 5 | min(path.flags & kPathDepthMask, 31u);
   recordPoints[at] = MapPoint(s.position, packMapPoint(-direction, s.mapNormal, 0u));
-  records[at] = Record(path.throughput, (isCaustic ? kRecordCaustic : kRecordGlobal) |
-                                            (isGlossy ? kRecordGlossy : 0u) | rank << kRecordRankShift);
+  records[at] = Record(path.throughput, kind | (isGlossy ? kRecordGlossy : 0u) | rank << kRecordRankShift);
 }
 
 /// Notes the cell that the photon fell in, and what of its flux is diffusely reflected light's: flux comes per area of
@@ -74,8 +73,7 @@ bool scatter(Surface s, Bsdf b, vec3 direction, inout PathState path, out Ray ra
 void main() {
   const uint i = invocationIndex();
   if (i >= counters[push.source]) return;
-  const uint slot = queue[i];
-  const uint at = counters[kCounterRecords] + i;
+  const uint slot = queue[i], at = counters[kCounterRecords] + i;
   const Ray ray = rayAt(slot);
   const Hit hit = hitAt(slot);
   keep[i] = 0u;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "render/options/gather_source.h"
+#include "scene/images/texture_sampling.h"
 #include "scene/materials/material_table.h"
 #include "shared/features.h"
 
@@ -23,11 +24,10 @@ bool reflects(const Material& m) {
 float leastRoughness(const Scene& scene, uint texture) {
   if (texture == kNone) return 1;
   const Texture& t = scene.textures[texture];
-  const uint words = t.isDeep != 0 ? 2u : 1u, shift = t.isDeep != 0 ? 16u : 8u, most = t.isDeep != 0 ? 65535u : 255u;
-  uint least = most;
+  float least = 1;
   for (std::size_t i = 0; i < std::size_t{t.width} * t.height; ++i)
-    least = std::min(least, (scene.texels[t.firstTexel + i * words] >> shift) & most);
-  return static_cast<float>(least) / static_cast<float>(most);
+    least = std::min(least, texelAt(t, scene.texels, i).y);
+  return least;
 }
 
 bool mayBeSmooth(const Scene& scene, const Material& m) {

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "scene/container/gltf_json.h"
+#include "scene/images/texture_sampling.h"
 
 namespace importon {
 namespace {
@@ -37,12 +38,6 @@ void convert(Json& material) {
   material["pbrMetallicRoughness"] = std::move(base);
   material["extensions"]["KHR_materials_specular"] = std::move(reflection);
   material["extensions"].erase("KHR_materials_ior");
-}
-
-/// Alpha of a texel, which is a word, or two of 16 bits a channel.
-float alphaOf(const Texture& texture, const std::vector<uint>& texels, std::size_t texel) {
-  if (texture.isDeep != 0) return static_cast<float>(texels[texture.firstTexel + 2 * texel + 1] >> 16) / 65535.0f;
-  return static_cast<float>(texels[texture.firstTexel + texel] >> 24) / 255.0f;
 }
 
 /// 1 - factor · alpha in green, of 8 bits.
@@ -80,7 +75,7 @@ void makeRoughnessTextures(MaterialSet& set, std::vector<uint>& texels, const st
       }
       texels.resize(first + count);
       for (std::size_t i = 0; i < count; ++i)
-        texels[first + i] = roughnessTexel(alphaOf(texture, texels, i), use.factor);
+        texels[first + i] = roughnessTexel(texelAt(texture, texels, i).w, use.factor);
       texture.firstTexel = static_cast<uint>(first);
       texture.isDeep = 0;
       set.textures.push_back(texture);

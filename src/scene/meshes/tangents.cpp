@@ -189,7 +189,7 @@ class TangentSpace {
     std::vector<std::pair<uint, Corner>> uses;  // vertex and group
     for (Corner c = 0; c < corners_; ++c) uses.emplace_back(vertexOf(c), groups_.of(c));
     std::ranges::sort(uses);
-    uses.erase(std::ranges::unique(uses).begin(), uses.end());
+    uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
     std::vector<uint> places;
     for (std::size_t i = 0; i < uses.size(); ++i) {
       const bool isFirst = i == 0 || uses[i].first != uses[i - 1].first;
