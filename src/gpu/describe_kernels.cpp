@@ -1,9 +1,11 @@
 /// Writes the calls of compute shaders in C++, from what their SPIR-V modules say about themselves:
 ///   importon_describe_kernels FOLDER NAMESPACE SYMBOLS SHARED MODULE...
 /// FOLDER/include/NAMESPACE/ receives NAME.h for each NAME.spv, buffers.h and registry.h; FOLDER/registry.cpp defines
-/// what they declare. SYMBOLS_NAME and SYMBOLS_NAME_end are the words of a module. Structs that a header of the folder
-/// SHARED declares are held to lie on the device as in C++. Files that would not change are left as they are.
+/// what they declare. NAME.lean lies beside NAME.spv (optimise_module.cpp). SYMBOLS_NAME, SYMBOLS_NAME_end and
+/// SYMBOLS_NAME_lean_end stand about the words of both. Structs that a header of the folder SHARED declares are held to
+/// lie on the device as in C++. Files that would not change are left as they are.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spirv_cross/spirv_cross_c.h>
 
 #include <algorithm>
@@ -47,6 +49,8 @@ struct Module {
   std::size_t pushBytes = 0;
   unsigned workgroupSize = 1;
   bool hasWorkgroupConstant = false;
+  std::set<unsigned> constants;  // ids of its specialization constants
+  std::vector<unsigned> rare;    // those of them that its lean module has not
 };
 
 /// film_add -> FilmAdd, photonFlux -> PhotonFlux.
@@ -103,6 +107,10 @@ class Reflection {
       module.push = readStruct(push.base_type_id);
       check(spvc_compiler_get_declared_struct_size(compiler_, handle(push.base_type_id), &module.pushBytes));
     }
+    const spvc_specialization_constant* constants = nullptr;
+    std::size_t count = 0;
+    check(spvc_compiler_get_specialization_constants(compiler_, &constants, &count));
+    for (std::size_t i = 0; i < count; ++i) module.constants.insert(constants[i].constant_id);
     spvc_specialization_constant x{}, y{}, z{};
     spvc_compiler_get_work_group_size_specialization_constants(compiler_, &x, &y, &z);
     module.hasWorkgroupConstant = x.id != 0;
@@ -262,13 +270,17 @@ std::string describeCode(const std::string& symbols, const Module& module) {
   for (const Binding& b : module.buffers)
     buffers += fmt::format("    {{{}, gpu::BufferKind::{}, \"{}\"}},\n", b.slot, b.kind, b.name);
   std::string text;
+  const std::string type = typeName(module.name);
   if (!buffers.empty())
-    text +=
-        fmt::format("static constexpr gpu::KernelBuffer kBuffersOf{}[] = {{\n{}}};\n", typeName(module.name), buffers);
-  return text + fmt::format("const gpu::KernelCode {0}::kCode{{\"{1}\", {2}_{1}, {2}_{1}_end, {3}, {4}, {5}, {6}}};\n",
-                            typeName(module.name), module.name, symbols,
-                            buffers.empty() ? "{}" : "kBuffersOf" + typeName(module.name), module.pushBytes,
-                            module.workgroupSize, module.hasWorkgroupConstant);
+    text += fmt::format("static constexpr gpu::KernelBuffer kBuffersOf{}[] = {{\n{}}};\n", type, buffers);
+  if (!module.rare.empty())
+    text += fmt::format("static constexpr std::uint32_t kRareOf{}[] = {{{}}};\n", type, fmt::join(module.rare, ", "));
+  return text + fmt::format(
+                    "const gpu::KernelCode {0}::kCode{{\"{1}\", {2}_{1}, {2}_{1}_end, {2}_{1}_lean_end, {3}, {4}, {5}, "
+                    "{6}, {7}}};\n",
+                    type, module.name, symbols, module.rare.empty() ? "{}" : "kRareOf" + type,
+                    buffers.empty() ? "{}" : "kBuffersOf" + type, module.pushBytes, module.workgroupSize,
+                    module.hasWorkgroupConstant);
 }
 
 /// The layouts of the structs that headers of `shared` declare.
@@ -301,11 +313,16 @@ void run(const std::vector<std::string>& arguments) {
   std::string includes, declarations, codes, list;
   for (std::size_t i = 4; i < arguments.size(); ++i) {
     const std::string name = fs::path(arguments[i]).stem().string();
-    const Module module = Reflection(arguments[i], structs).describe(name);
+    Module module = Reflection(arguments[i], structs).describe(name);
+    const fs::path lean = fs::path(arguments[i]).replace_extension(".lean");
+    if (fs::file_size(lean) > 0)
+      std::ranges::set_difference(module.constants, Reflection(lean, structs).describe(name).constants,
+                                  std::back_inserter(module.rare));
     for (const Binding& buffer : module.buffers) names.insert(buffer.name);
     writeFile(folder / "include" / space / (name + ".h"), describeCall(space, module));
     includes += fmt::format("#include \"{}/{}.h\"\n", space, name);
-    declarations += fmt::format("extern \"C\" const std::uint32_t {0}_{1}[], {0}_{1}_end[];\n", symbols, name);
+    declarations +=
+        fmt::format("extern \"C\" const std::uint32_t {0}_{1}[], {0}_{1}_end[], {0}_{1}_lean_end[];\n", symbols, name);
     codes += describeCode(symbols, module);
     list += fmt::format("    &{}::kCode,\n", typeName(name));
   }

@@ -74,6 +74,14 @@ PipelineLayoutHandle createPipelineLayout(Device& device, const std::string& lab
   return {device.handle(), layout};
 }
 
+/// The words to give to a driver: of the lean module where every rare constant is 0.
+std::span<const std::uint32_t> moduleFor(const KernelCode& code, std::span<const Specialization> constants) {
+  const auto isZero = [&](std::uint32_t id) {
+    return std::ranges::any_of(constants, [id](const Specialization& s) { return s.id == id && s.value == 0; });
+  };
+  return !code.lean().empty() && std::ranges::all_of(code.rare, isZero) ? code.lean() : code.spirv();
+}
+
 ShaderModuleHandle createModule(Device& device, const std::string& label, std::span<const std::uint32_t> spirv) {
   VkShaderModuleCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
@@ -139,7 +147,7 @@ Kernel::Kernel(Context& context, std::string label, const KernelCode& code,
 void Kernel::compile() const {
   std::call_once(impl_->compiles, [this] {
     Device& device = *impl_->device;
-    const ShaderModuleHandle shader = createModule(device, label_, impl_->code->spirv());
+    const ShaderModuleHandle shader = createModule(device, label_, moduleFor(*impl_->code, impl_->constants));
     impl_->pipeline = createPipeline(device, label_, shader.get(), impl_->pipelineLayout.get(), impl_->constants);
   });
 }

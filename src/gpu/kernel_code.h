@@ -18,12 +18,15 @@ struct KernelBuffer {
 struct KernelCode {
   std::string_view name;  // of its file, without .comp
   const std::uint32_t *begin, *end;
+  const std::uint32_t* leanEnd;           // words of the lean module (optimise_module.cpp) follow the others; none: end
+  std::span<const std::uint32_t> rare;    // ids of the specialization constants that the lean module takes for 0
   std::span<const KernelBuffer> buffers;  // by slot
   std::uint32_t pushConstantBytes;
   std::uint32_t workgroupSize;  // along x, before specialization
   bool hasWorkgroupConstant;    // the specialization constant 0 sets that size
 
   [[nodiscard]] std::span<const std::uint32_t> spirv() const { return {begin, end}; }
+  [[nodiscard]] std::span<const std::uint32_t> lean() const { return {end, leanEnd}; }
 };
 
 }  // namespace importon::gpu

@@ -5,8 +5,10 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "kernels/registry.h"
+#include "shared/features.h"
 #include "test_kernels/constants.h"
 #include "test_kernels/fixed_workgroup.h"
 #include "test_kernels/registry.h"
@@ -61,6 +63,16 @@ TEST(KernelCode, BuffersComeFromTheFirstOwnerThatHasThem) {
   using test_kernels::ShiftAdd;
   EXPECT_EQ(ShiftAdd::buffers(first, second), (std::array{&first.in, &first.out}));
   EXPECT_EQ(ShiftAdd::buffers(test_kernels::buffers::Out{other}, second), (std::array{&second.in, &other}));
+}
+
+TEST(KernelCode, HasALeanModuleWhereFeaturesAreRare) {
+  const KernelCode& code = test_kernels::code("rare");
+  EXPECT_EQ(std::vector(code.rare.begin(), code.rare.end()),
+            (std::vector<std::uint32_t>{kSpecHasSheen, kSpecHasDispersion}));
+  ASSERT_FALSE(code.lean().empty());
+  EXPECT_LT(code.lean().size(), code.spirv().size());
+  EXPECT_TRUE(test_kernels::code("constants").lean().empty());
+  EXPECT_TRUE(test_kernels::code("constants").rare.empty());
 }
 
 TEST(KernelCode, EveryKernelHasAModuleAndSlotsOfItsOwn) {

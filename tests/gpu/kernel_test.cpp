@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <string>
 #include <thread>
 #include <vector>
 
 #include "base/error.h"
 #include "gpu/recorder.h"
+#include "shared/features.h"
 #include "support/gpu_test.h"
 #include "test_kernels/registry.h"
 
@@ -18,13 +20,19 @@ class KernelTest : public test::GpuTest {
  protected:
   /// Workgroup size and constants as the kernel `constants` sees them.
   std::vector<std::uint32_t> constantsSeen(std::span<const Specialization> specialization) {
-    const Kernel kernel(context(), "constants", test_kernels::code("constants"), specialization);
-    const Buffer out(context(), "out", 16);
+    return seenBy(test_kernels::code("constants"), specialization, 4);
+  }
+
+  /// Words that the kernel writes.
+  std::vector<std::uint32_t> seenBy(const KernelCode& code, std::span<const Specialization> specialization,
+                                    std::size_t words) {
+    const Kernel kernel(context(), std::string(code.name), code, specialization);
+    const Buffer out(context(), "out", words * sizeof(std::uint32_t));
     const Buffer* const bindings[] = {&out};
     Recorder recorder(context());
     recorder.dispatch(kernel, bindings, 1);
     recorder.submitAndWait();
-    return out.download<std::uint32_t>(4);
+    return out.download<std::uint32_t>(words);
   }
 };
 
@@ -38,6 +46,19 @@ TEST_F(KernelTest, TakesConstantsAndWorkgroupSizeFromTheSpecialization) {
   EXPECT_EQ(constantsSeen(specialization), (std::vector<std::uint32_t>{32, 99, scale, 1}));
   const Kernel kernel(context(), "constants", test_kernels::code("constants"), specialization);
   EXPECT_EQ(kernel.workgroupSize(), 32u);
+}
+
+TEST_F(KernelTest, HasRareFeaturesUnlessAllAreOff) {
+  const KernelCode& code = test_kernels::code("rare");
+  for (const std::uint32_t one : {0u, 1u})
+    for (const std::uint32_t other : {0u, 1u})
+      for (const std::uint32_t common : {0u, 1u}) {
+        const std::vector<Specialization> all = {
+            {kSpecHasSheen, one}, {kSpecHasDispersion, other}, {kSpecHasMedia, common}};
+        EXPECT_EQ(seenBy(code, all, 3), (std::vector<std::uint32_t>{one, other, common}));
+      }
+  EXPECT_EQ(seenBy(code, {}, 3), (std::vector<std::uint32_t>{1, 1, 1}));
+  EXPECT_EQ(seenBy(code, std::vector<Specialization>{{kSpecHasSheen, 0}}, 3), (std::vector<std::uint32_t>{0, 1, 1}));
 }
 
 TEST_F(KernelTest, KeepsTheWorkgroupSizeThatTheKernelDeclares) {

@@ -1,0 +1,111 @@
+/// Makes a SPIR-V module small before a driver sees it:
+///   importon_optimise_module MODULE OPTIMISED LEAN
+/// A driver specialises a module whenever a program starts, and many do it after inlining all functions: here that is
+/// done once, with the constants left open. LEAN is the same module with the constants of rare features
+/// (kSpecFirstRare) taken for false, or an empty file if it has none: what most scenes never need is not in it at all.
+/// Throws at a module that is not valid for Vulkan 1.2 with scalar block layout.
+#include <spirv_cross/spirv.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <set>
+#include <spirv-tools/optimizer.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "shared/features.h"
+
+namespace {
+
+using Words = std::vector<std::uint32_t>;
+
+constexpr std::size_t kHeaderWords = 5;
+// No pass that rewrites arithmetic (--simplify-instructions): see docs/experiments/start-up.md.
+const std::vector<std::string> kPasses{
+    "--merge-return", "--inline-entry-points-exhaustive", "--eliminate-dead-functions",
+    "--eliminate-dead-code-aggressive",
+    // Variables of functions become values.
+    "--private-to-local", "--eliminate-local-single-block", "--eliminate-local-single-store",
+    "--eliminate-dead-code-aggressive", "--scalar-replacement=100", "--convert-local-access-chains",
+    "--eliminate-local-single-block", "--eliminate-local-single-store", "--eliminate-dead-code-aggressive",
+    "--ssa-rewrite", "--eliminate-dead-code-aggressive",
+    // What is constant, unused or computed twice goes.
+    "--ccp", "--eliminate-dead-code-aggressive", "--eliminate-dead-branches", "--redundancy-elimination",
+    "--combine-access-chains", "--vector-dce", "--eliminate-dead-inserts", "--merge-blocks"};
+
+Words read(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (bytes.size() < kHeaderWords * sizeof(Words::value_type)) throw std::runtime_error("no module in " + file);
+  Words words(bytes.size() / sizeof(Words::value_type));
+  std::copy_n(bytes.begin(), words.size() * sizeof(Words::value_type), reinterpret_cast<char*>(words.data()));
+  return words;
+}
+
+void write(const std::string& file, const Words& words) {
+  std::ofstream stream(file, std::ios::binary);
+  stream.write(reinterpret_cast<const char*>(words.data()),
+               static_cast<std::streamsize>(words.size() * sizeof(Words::value_type)));
+  if (!stream.flush()) throw std::runtime_error("cannot write " + file);
+}
+
+/// The module with its rare constants, which are Booleans, as the constant false; empty: it has none. Decorations come
+/// before constants. [SPIR-V 1.5, 2.4]
+Words withoutRare(const Words& module) {
+  Words lean(module.begin(), module.begin() + kHeaderWords);
+  std::set<std::uint32_t> rare;
+  for (std::uint32_t at = kHeaderWords, count = 0; at < module.size(); at += count) {
+    count = module[at] >> SpvWordCountShift;
+    const std::uint32_t operation = module[at] & SpvOpCodeMask;
+    if (count == 0 || count > module.size() - at) throw std::runtime_error("an instruction ends beyond the module");
+    if (operation == SpvOpDecorate && module[at + 2] == SpvDecorationSpecId && module[at + 3] >= importon::kSpecFirstRare) {
+      rare.insert(module[at + 1]);
+      continue;
+    }
+    const std::size_t to = lean.size();
+    lean.insert(lean.end(), module.begin() + at, module.begin() + at + count);
+    if ((operation == SpvOpSpecConstantTrue || operation == SpvOpSpecConstantFalse) && rare.contains(module[at + 2]))
+      lean[to] = count << SpvWordCountShift | SpvOpConstantFalse;
+  }
+  return rare.empty() ? Words() : lean;
+}
+
+void tell(spv_message_level_t, const char*, const spv_position_t& at, const char* message) {
+  std::cerr << "word " << at.index << ": " << message << "\n";
+}
+
+Words optimised(const Words& module) {
+  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
+  optimizer.SetMessageConsumer(tell);
+  if (!optimizer.RegisterPassesFromFlags(kPasses)) throw std::runtime_error("an unknown pass");
+  spvtools::ValidatorOptions layout;
+  layout.SetScalarBlockLayout(true);
+  spvtools::OptimizerOptions options;
+  options.set_run_validator(true);
+  options.set_validator_options(layout);
+  Words result;
+  if (!optimizer.Run(module.data(), module.size(), &result, options)) throw std::runtime_error("cannot be optimised");
+  spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_2);
+  tools.SetMessageConsumer(tell);
+  if (!tools.Validate(result.data(), result.size(), layout)) throw std::runtime_error("is not valid when optimised");
+  return result;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    if (count != 4) throw std::runtime_error("MODULE OPTIMISED LEAN are wanted");
+    const Words module = read(arguments[1]), lean = withoutRare(module);
+    write(arguments[2], optimised(module));
+    write(arguments[3], lean.empty() ? lean : optimised(lean));
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "importon_optimise_module: " << (count > 1 ? arguments[1] : "") << ": " << error.what() << "\n";
+    return 1;
+  }
+}
