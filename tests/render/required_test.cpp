@@ -58,7 +58,6 @@ Outcome outcomeOf(RenderJob job, const Scene& scene) {
 TEST_F(Required, LessWhereCausticsDoNotShowKeepsTheMean) {
   const Scene scene = drownedCaustic();
   RenderJob job = requiredJob();
-  job.emission = EmissionChoice::power;  // a guide would send photons to other places, which still lack some
   const Outcome plain = outcomeOf(job, scene);
   job.requiredBy = RequiredBy::contribution;
   const Outcome contribution = outcomeOf(job, scene);
