@@ -62,7 +62,8 @@ Words withoutRare(const Words& module) {
     count = module[at] >> SpvWordCountShift;
     const std::uint32_t operation = module[at] & SpvOpCodeMask;
     if (count == 0 || count > module.size() - at) throw std::runtime_error("an instruction ends beyond the module");
-    if (operation == SpvOpDecorate && module[at + 2] == SpvDecorationSpecId && module[at + 3] >= importon::kSpecFirstRare) {
+    if (operation == SpvOpDecorate && module[at + 2] == SpvDecorationSpecId &&
+        module[at + 3] >= importon::kSpecFirstRare) {
       rare.insert(module[at + 1]);
       continue;
     }
