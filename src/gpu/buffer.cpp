@@ -1,5 +1,7 @@
 #include "gpu/buffer.h"
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -83,6 +85,14 @@ BufferHandle createBuffer(Device& device, const std::string& name, std::uint64_t
   return {device.handle(), buffer};
 }
 
+/// Asks for huge pages where host memory spans some: the system hands it out in fewer pieces.
+void preferHugePages(void* memory, std::uint64_t bytes) {
+  constexpr std::uintptr_t kHugePage = 2u << 20;
+  const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + kHugePage - 1) / kHugePage * kHugePage;
+  const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / kHugePage * kHugePage;
+  if (begin < end) (void)madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);  // a wish
+}
+
 /// Device-local memory, mapped if the device maps its buffers.
 void allocateMemory(Buffer::Impl& impl, const std::string& name) {
   Device& device = *impl.device;
@@ -110,6 +120,7 @@ void allocateMemory(Buffer::Impl& impl, const std::string& name) {
   void* mapped = nullptr;
   check(vkMapMemory(device.handle(), memory, 0, VK_WHOLE_SIZE, 0, &mapped), doing, device.info().name);
   impl.mapped = static_cast<std::byte*>(mapped);
+  if (device.limits().isCpu) preferHugePages(mapped, needs.size);
 }
 
 BufferViewHandle createView(Device& device, const std::string& name, VkBuffer buffer, TexelFormat texels) {
@@ -160,6 +171,14 @@ void Buffer::uploadBytes(std::span<const std::byte> data, std::uint64_t offset) 
     std::memcpy(impl_->mapped + offset, data.data(), data.size());
   } else {
     impl_->device->staging().upload(impl_->buffer.get(), offset, data);
+  }
+}
+
+void Buffer::clear() {
+  if (impl_->mapped != nullptr) {
+    std::memset(impl_->mapped, 0, bytes_);
+  } else {
+    impl_->device->staging().clear(impl_->buffer.get());
   }
 }
 

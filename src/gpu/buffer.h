@@ -36,6 +36,8 @@ class Buffer {
   /// Copies through staging memory and waits.
   void uploadBytes(std::span<const std::byte> data, std::uint64_t offset = 0);
   void downloadBytes(std::span<std::byte> data, std::uint64_t offset = 0) const;
+  /// Sets all bytes to 0, and waits.
+  void clear();
   template <class T>
   void upload(std::span<const T> data, std::uint64_t offset = 0) {
     uploadBytes(std::as_bytes(data), offset);
@@ -63,6 +65,14 @@ template <class T>
                                 TexelFormat texels = TexelFormat::none) {
   Buffer buffer(context, std::move(name), data.size_bytes(), texels);
   if (!data.empty()) buffer.upload(data);
+  return buffer;
+}
+
+/// A buffer of zeros.
+[[nodiscard]] inline Buffer makeZeros(Context& context, std::string name, std::uint64_t bytes,
+                                      TexelFormat texels = TexelFormat::none) {
+  Buffer buffer(context, std::move(name), bytes, texels);
+  buffer.clear();
   return buffer;
 }
 

@@ -52,13 +52,23 @@ void Staging::createBuffer() {
   mapped_ = static_cast<std::byte*>(mapped);
 }
 
-void Staging::copy(VkBuffer from, std::uint64_t fromOffset, VkBuffer to, std::uint64_t toOffset, std::uint64_t bytes) {
+template <class Record>
+void Staging::submit(const Record& record) {
   beginCommands(device_, commands_);
-  const VkBufferCopy region{fromOffset, toOffset, bytes};
-  vkCmdCopyBuffer(commands_, from, to, 1, &region);
+  record();
   recordBarrier(commands_);
-  check(vkEndCommandBuffer(commands_), "record a copy", "staging");
-  check(device_.submitAndWait(commands_, fence_.get()), "copy a buffer", "staging");
+  check(vkEndCommandBuffer(commands_), "record a transfer", "staging");
+  check(device_.submitAndWait(commands_, fence_.get()), "transfer a buffer", "staging");
+}
+
+void Staging::copy(VkBuffer from, std::uint64_t fromOffset, VkBuffer to, std::uint64_t toOffset, std::uint64_t bytes) {
+  const VkBufferCopy region{fromOffset, toOffset, bytes};
+  submit([&] { vkCmdCopyBuffer(commands_, from, to, 1, &region); });
+}
+
+void Staging::clear(VkBuffer buffer) {
+  const std::lock_guard lock(mutex_);
+  submit([&] { vkCmdFillBuffer(commands_, buffer, 0, VK_WHOLE_SIZE, 0); });
 }
 
 void Staging::upload(VkBuffer to, std::uint64_t offset, std::span<const std::byte> data) {

@@ -19,12 +19,17 @@ class Staging {
   Staging(const Staging&) = delete;
   Staging& operator=(const Staging&) = delete;
 
-  /// Both wait until the bytes have arrived. Throw DeviceError.
+  /// Wait until the bytes have arrived. Throw DeviceError.
   void upload(VkBuffer to, std::uint64_t offset, std::span<const std::byte> data);
   void download(VkBuffer from, std::uint64_t offset, std::span<std::byte> data);
+  /// Sets all of it to 0, and waits.
+  void clear(VkBuffer buffer);
 
  private:
   void createBuffer();
+  /// Records, submits and waits.
+  template <class Record>
+  void submit(const Record& record);
   void copy(VkBuffer from, std::uint64_t fromOffset, VkBuffer to, std::uint64_t toOffset, std::uint64_t bytes);
 
   Device& device_;

@@ -46,6 +46,12 @@ TEST_P(BufferTransfer, BringsBackWhatWasUploaded) {
   EXPECT_EQ(buffer.download<std::uint32_t>(1000), words);
 }
 
+TEST_P(BufferTransfer, ClearedOnesHoldZerosToTheEnd) {
+  Buffer buffer = makeBuffer(*own_, "buffer", std::span<const std::uint32_t>(countingWords(1001)));
+  buffer.clear();
+  EXPECT_EQ(buffer.download<std::uint32_t>(1001), std::vector<std::uint32_t>(1001));
+}
+
 TEST_P(BufferTransfer, TransfersLargerThanTheStagingBufferAreWhole) {
   const auto words = countingWords(11 << 20);
   const Buffer buffer = makeBuffer(*own_, "buffer", std::span<const std::uint32_t>(words));

@@ -57,7 +57,7 @@ Workspace::Workspace(gpu::Context& c, const WorkspaceSize& s)
       standIns(c),
       cells(standIns.noCells()),
       size(s) {
-  lightsSeen.upload(std::span<const uvec2>(std::vector<uvec2>(s.lightVoxels)));
+  lightsSeen.clear();
 }
 
 }  // namespace importon

@@ -32,15 +32,13 @@ Film::Film(gpu::Context& context, std::uint64_t pixels, std::uint64_t tilePixels
                       fmt::format("{} has {} MiB", context.info().name, memory >> 20), "lower --width and --height");
   for (std::uint64_t first = 0; first < pixels; first += tilePixels) {
     const std::uint64_t count = std::min(tilePixels, pixels - first);
-    FilmTile tile{static_cast<uint>(first), static_cast<uint>(count),
-                  gpu::Buffer(context, "film", 2 * count * sizeof(FilmPixel))};
-    tile.pixels.upload(std::span<const FilmPixel>(std::vector<FilmPixel>(2 * count)));
-    tiles_.push_back(std::move(tile));
+    tiles_.push_back({static_cast<uint>(first), static_cast<uint>(count),
+                      gpu::makeZeros(context, "film", 2 * count * sizeof(FilmPixel))});
   }
 }
 
-std::vector<FilmPixel> Film::download() const {
-  std::vector<FilmPixel> halves(2 * pixels_);
+LargeVector<FilmPixel> Film::download() const {
+  LargeVector<FilmPixel> halves(2 * pixels_);
   for (const FilmTile& tile : tiles_) {
     const std::span<FilmPixel> even(halves.data() + tile.first, tile.count);
     const std::span<FilmPixel> odd(halves.data() + pixels_ + tile.first, tile.count);

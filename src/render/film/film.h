@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/large_vector.h"
 #include "gpu/buffer.h"
 #include "render/film/adaptive_sampler.h"
 #include "shared/render_data.h"
@@ -25,7 +26,7 @@ class Film {
   [[nodiscard]] std::span<const FilmTile> tiles() const { return tiles_; }
   [[nodiscard]] std::span<FilmTile> tiles() { return tiles_; }
   /// Reads the whole film back: even half, odd half, `pixels` each.
-  [[nodiscard]] std::vector<FilmPixel> download() const;
+  [[nodiscard]] LargeVector<FilmPixel> download() const;
 
  private:
   std::uint64_t pixels_;

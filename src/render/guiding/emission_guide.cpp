@@ -47,7 +47,7 @@ EmissionGuide::EmissionGuide(gpu::Context& context, const Scene& scene, MapKind 
   rows_ = gpu::Buffer(context, "guide rows", (rows + 1) * sizeof(float), gpu::TexelFormat::float1);
   columns_ = gpu::Buffer(context, "guide columns", rows * (bins_ + 1) * sizeof(float), gpu::TexelFormat::float1);
   const std::uint64_t cells = rows * bins_;
-  sums_ = gpu::makeBuffer(context, "guide sums", std::span<const uint>(std::vector<uint>(4 * cells)));
+  sums_ = gpu::makeZeros(context, "guide sums", 4 * cells * sizeof(uint));
   upload(startingPmf(powers_, std::size_t{bins_} * bins_));
 }
 

@@ -49,9 +49,8 @@ std::vector<float> scatterCellOf(std::span<const double> sums, GuideWeight guide
 ScatterGuide::ScatterGuide(gpu::Context& context, const Parameters& parameters, GuideWeight weight)
     : grid_(gridOver(parameters)), weight_(weight) {
   const std::size_t cells = cellsOf(grid_);
-  sums_ = gpu::makeBuffer(context, "scatter guide sums", std::span<const uint>(std::vector<uint>(cells * kBins)));
-  cells_ = gpu::makeBuffer(context, "scatter guide", std::span<const float>(std::vector<float>(cells * (kBins + 1))),
-                           gpu::TexelFormat::float1);
+  sums_ = gpu::makeZeros(context, "scatter guide sums", cells * kBins * sizeof(uint));
+  cells_ = gpu::makeZeros(context, "scatter guide", cells * (kBins + 1) * sizeof(float), gpu::TexelFormat::float1);
 }
 
 void ScatterGuide::train(const Stage& stage) const {

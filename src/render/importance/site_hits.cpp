@@ -45,8 +45,7 @@ bool ShootingRule::isEnough(const SiteSupply& supply) {
 SiteHits::SiteHits(gpu::Context& context, MapKind kind, const ImportanceMap& importance, const Parameters& parameters)
     : kind_(kind), importance_(importance) {
   const std::uint64_t sites = std::max<std::uint64_t>(importance.sites(), 1);
-  hits_ =
-      gpu::makeBuffer(context, "site hits", std::span<const uint>(std::vector<uint>(sites)), gpu::TexelFormat::uint1);
+  hits_ = gpu::makeZeros(context, "site hits", sites * sizeof(uint), gpu::TexelFormat::uint1);
   asked_ = gpu::Buffer(context, "site hits asked for", sites * sizeof(float));
   std::vector<std::pair<std::uint32_t, uint>> curve;
   for (const MapPoint& point : importance.readPoints())

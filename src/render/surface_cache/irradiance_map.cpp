@@ -42,10 +42,10 @@ IrradianceMap::IrradianceMap(gpu::Context& context, const SurfaceCells& cells, c
                   TexelFormat::uint4),
       irradiance_(context, "irradiance of cells", 2 * sizeof(uvec4) * cells.areas.size(), TexelFormat::uint4),
       surface_(gpu::makeBuffer(context, "surface cells", std::span<const uvec2>(cells.triangles), TexelFormat::uint2)),
-      totals_(gpu::makeBuffer(context, "irradiance totals", std::span<const uint>(std::vector<uint>(6)))) {
-  const std::vector<uint> empty(2 * kWordsPerSide * cells.areas.size());
+      totals_(gpu::makeZeros(context, "irradiance totals", 6 * sizeof(uint))) {
   for (gpu::Buffer& half : halves_)
-    half = gpu::makeBuffer(context, "irradiance", std::span<const uint>(empty), TexelFormat::uint4);
+    half = gpu::makeZeros(context, "irradiance", 2 * kWordsPerSide * sizeof(uint) * cells.areas.size(),
+                          TexelFormat::uint4);
 }
 
 void IrradianceMap::smooth(const Stage& stage) const {
