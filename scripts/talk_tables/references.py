@@ -23,8 +23,9 @@ PATHS = "--integrator path --gather 64 --max-depth 32"
 PHOTONS = "--photons 1000000 --gather 16 --indirect-filter off"
 # In pool and ring the required density has steps, beside which lookups of the caustic map lose light: the same density is
 # required everywhere (photons/m²).
-WAYS = {"cornell_box": PATHS, "gallery": PATHS, "rooms": PATHS,
-        "door_slit": "--photons 262144 --gather 64 --indirect-filter off",
+# So are lamps that all light leaves by a slit.
+DIM = "--photons 262144 --gather 64 --indirect-filter off"
+WAYS = {"cornell_box": PATHS, "gallery": DIM, "rooms": PATHS, "door_slit": DIM,
         "glass_ball": PHOTONS, "glass_caustic": PHOTONS, "pool": PHOTONS + " --constant-density 40000",
         "ring": PHOTONS + " --constant-density 100000"}
 # In glass_caustic some fifty pixels see the lamp through glass in one path of ten thousand or fewer and are nineteen
