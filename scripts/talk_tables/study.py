@@ -9,7 +9,7 @@ import tempfile
 from .lab import table, with_spread
 from .references import ROOT
 
-OPTIONS = "--width 160 --photons 400000 --importons 80000 --passes 1"
+OPTIONS = "--width 160 --photons 400000 --importons 80000 --passes 1 --indirect-filter off"
 # Pictures of a sheet, row by row: the end of a figure's title, and which of its pictures.
 MAP_SHEET = [("Importons, {map} map", 0), ("Required density, {map} map", 0), ("Photons stored, {map} map", 0),
              ("Photons stored, {map} map", 1), ("Density stored, {map} map", 0), ("Density stored, {map} map", 1),

@@ -69,6 +69,31 @@ TEST(LightFilterTest, LowersNoiseOnAPlaneAndKeepsItsTextures) {
   EXPECT_LT(error, 0.2 / std::sqrt(2.0) / 20);
 }
 
+/// A film of one half, which stands for both.
+std::vector<FilmPixel> twice(std::vector<FilmPixel> film) {
+  std::copy_n(film.begin(), kPixels, film.begin() + kPixels);
+  return film;
+}
+
+LightOfHalves filterByChessboard(std::span<const FilmPixel> film) {
+  return LightFilter(film, kWidth, kFourPaths, 1, HalvesBy::chessboard).clean(&FilmPixel::indirect);
+}
+
+TEST(LightFilterTest, OneHalfIsSharedByTheColoursOfAChessboard) {
+  const std::vector<FilmPixel> film = twice(filmOf(onFloor, 0.2f));
+  EXPECT_GT(errorOf(filterIndirect(film), onFloor, everywhere), 0.19) << "both halves agree on all their noise";
+  EXPECT_LT(errorOf(filterByChessboard(film), onFloor, everywhere), 0.2 / 10);
+}
+
+TEST(LightFilterTest, AChessboardMixesNoSurfaces) {
+  const auto step = [](int x, int y) {
+    Seen s = onFloor(x, y);
+    if (x >= 20) s = {vec3(x, -20, y), vec3(0, 1, 0), 9, s.albedo};
+    return s;
+  };
+  EXPECT_LT(errorOf(filterByChessboard(twice(filmOf(step, 0))), step, everywhere), 1e-5);
+}
+
 TEST(LightFilterTest, LeavesLightWithoutNoiseAsItIs) {
   const auto floor = [](int x, int y) {
     Seen s = onFloor(x, y);

@@ -54,7 +54,11 @@ namespace {
 /// chosen by the same halves, which keep the noise that they agree on by chance and so differ by less.
 constexpr double kChosenByItself = 1.35;
 
-bool sharesLight(const FilmReading& reading) { return reading.sharesLight && reading.counts.oddSamples > 0; }
+/// Paths of a pixel, of a film that has one half only, up to which light is shared by the colours of a chessboard. With
+/// more the noise is less than what that blurs.
+constexpr std::uint64_t kFewPaths = 16;
+
+bool hasHalves(const FilmReading& reading) { return reading.sharesLight && reading.counts.oddSamples > 0; }
 
 float inverse(float samples) { return samples > 0 ? 1 / samples : 0.0f; }
 
@@ -73,11 +77,30 @@ LightOfHalves meansOf(std::span<const FilmPixel> halves, const SampleCounts& cou
   return means;
 }
 
+LightParts cleanAll(LightFilter& filter) {
+  return {filter.clean(&FilmPixel::direct), filter.clean(&FilmPixel::caustic), filter.clean(&FilmPixel::indirect)};
+}
+
+/// Of a film without odd passes, for which the image stands, too.
+LightParts cleanSingleHalf(std::span<const FilmPixel> halves, const FilmReading& reading) {
+  const std::span<const FilmPixel> even = halves.first(halves.size() / 2);
+  LargeVector<FilmPixel> twice(even.begin(), even.end());
+  twice.insert(twice.end(), even.begin(), even.end());
+  const SampleCounts& counts = reading.counts;
+  LightFilter filter(twice, reading.width, {counts.evenSamples, counts.evenSamples, counts.evenExtra, counts.evenExtra},
+                     reading.threads, HalvesBy::chessboard);
+  LightParts parts = cleanAll(filter);
+  for (LightOfHalves* part : {&parts.direct, &parts.caustic, &parts.indirect})
+    for (std::size_t i = 0; i < even.size(); ++i) part->even[i] = part->odd[i] = 0.5f * (part->even[i] + part->odd[i]);
+  return parts;
+}
+
 LightParts readParts(std::span<const FilmPixel> halves, const FilmReading& reading) {
-  if (sharesLight(reading)) {
+  if (hasHalves(reading)) {
     LightFilter filter(halves, reading.width, reading.counts, reading.threads);
-    return {filter.clean(&FilmPixel::direct), filter.clean(&FilmPixel::caustic), filter.clean(&FilmPixel::indirect)};
+    return cleanAll(filter);
   }
+  if (reading.sharesLight && reading.counts.evenSamples <= kFewPaths) return cleanSingleHalf(halves, reading);
   const auto read = [&](vec3 FilmPixel::*light) { return meansOf(halves, reading.counts, light); };
   return {read(&FilmPixel::direct), read(&FilmPixel::caustic), read(&FilmPixel::indirect)};
 }
@@ -122,7 +145,7 @@ FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& rea
   if (counts.oddSamples == 0) return layers;
   const ErrorEstimate estimate =
       estimateErrors({shown.even, shown.odd, share}, {raw.even, raw.odd, share}, reading.width);
-  const double chosen = sharesLight(reading) ? kChosenByItself : 1;
+  const double chosen = hasHalves(reading) ? kChosenByItself : 1;
   layers.estimatedError = chosen * estimate.relative;
   std::transform(estimate.perPixel.begin(), estimate.perPixel.end(), layers.error.begin(),
                  [&](const vec3& error) { return static_cast<float>(chosen) * error; });

@@ -26,10 +26,12 @@ void LightFilter::forPixels(const Body& body) const {
   });
 }
 
-LightFilter::LightFilter(std::span<const FilmPixel> halves, int width, const SampleCounts& counts, int threads)
+LightFilter::LightFilter(std::span<const FilmPixel> halves, int width, const SampleCounts& counts, int threads,
+                         HalvesBy halvesBy)
     : film_(halves),
       counts_(counts),
       threads_(threads),
+      halvesBy_(halvesBy),
       pixels_(halves.size() / 2),
       guides_(readGuides(halves, width, counts, threads)),
       smoother_(guides_, kScales + kWindowLevels - 1, threads),
@@ -77,10 +79,32 @@ void LightFilter::readRaw(vec3 FilmPixel::*light) {
       light_.raw.planes[kOdd + c][i] = ratio((odd.*light)[channel] / counts_.odd(i), light_.weights[c][i]);
     }
   });
+  if (halvesBy_ == HalvesBy::chessboard) splitByChessboard();
   double sum = 0;
   for (const Plane& plane : light_.raw.planes) sum = std::accumulate(plane.begin(), plane.end(), sum);
   const double mean = sum / static_cast<double>(pixels_);
   light_.leastSquare = std::max(static_cast<float>(0.01 * mean * mean), std::numeric_limits<float>::min());
+}
+
+/// From the same light in both halves. A pixel that has none of the other colour beside it stays as it is.
+void LightFilter::splitByChessboard() {
+  const Planes whole{light_.raw.planes[kEven], light_.raw.planes[kEven + 1], light_.raw.planes[kEven + 2]};
+  forPixels([&](std::size_t i) {
+    const int x = static_cast<int>(i) % guides_.width, y = static_cast<int>(i) / guides_.width;
+    std::array<float, 6> sum{}, weight{};
+    for (int qy = std::max(y - 1, 0); qy <= std::min(y + 1, guides_.height - 1); ++qy)
+      for (int qx = std::max(x - 1, 0); qx <= std::min(x + 1, guides_.width - 1); ++qx) {
+        const std::size_t q = guides_.at(qx, qy);
+        if (q != i && !guides_.areAlike(i, q)) continue;
+        const std::size_t half = (qx + qy) % 2 == 0 ? kEven : kOdd;
+        for (std::size_t c = 0; c < 3; ++c) {
+          sum[half + c] += light_.weights[c][q] * whole[c][q];
+          weight[half + c] += light_.weights[c][q];
+        }
+      }
+    for (std::size_t c = 0; c < 6; ++c)
+      if (weight[c] > 0 && weight[(c + 3) % 6] > 0) light_.raw.planes[c][i] = sum[c] / weight[c];
+  });
 }
 
 void LightFilter::cleanRaw() {

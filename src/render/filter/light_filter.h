@@ -29,6 +29,10 @@ struct LightAtHand {
       : weights(planesOf(pixels)), raw(pixels), shown(pixels), rest(pixels), importance(pixels) {}
 };
 
+/// What the halves are: even and odd passes, or, of a film that has only one half, the two colours of a chessboard.
+/// Then the light of a pixel is, in each half, the mean over pixels of one colour among it and the eight around it.
+enum class HalvesBy { passes, chessboard };
+
 /// A scale of it.
 struct ScaleAtHand {
   Halves sums;  // of light times weights, smoothed
@@ -48,14 +52,16 @@ struct ScaleAtHand {
 /// of the surfaces beside them.
 class LightFilter {
  public:
-  /// `halves`: even passes, then odd ones, each width · height pixels; at least a sample in each half. They stay where
-  /// they are.
-  LightFilter(std::span<const FilmPixel> halves, int width, const SampleCounts& counts, int threads);
+  /// `halves`: even passes, then odd ones, each width · height pixels; at least a sample in each half. By chessboard
+  /// both are the same. They stay where they are.
+  LightFilter(std::span<const FilmPixel> halves, int width, const SampleCounts& counts, int threads,
+              HalvesBy halvesBy = HalvesBy::passes);
   /// Of direct, caustic or indirect light. Emitted light is not shared.
   [[nodiscard]] LightOfHalves clean(vec3 FilmPixel::*light);
 
  private:
   void readRaw(vec3 FilmPixel::*light);
+  void splitByChessboard();
   void cleanRaw();
   void goThrough(const Halves& light, bool isFirst);
   void splitScale(int scale, bool isFirst);
@@ -66,6 +72,7 @@ class LightFilter {
   std::span<const FilmPixel> film_;
   SampleCounts counts_;
   int threads_;
+  HalvesBy halvesBy_;
   std::size_t pixels_;
   SurfaceGuides guides_;
   SurfaceSmoother smoother_;
