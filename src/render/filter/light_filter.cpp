@@ -110,7 +110,7 @@ void LightFilter::splitByChessboard() {
 void LightFilter::cleanRaw() {
   for (Plane& plane : light_.shown.planes) std::fill(plane.begin(), plane.end(), 0.0f);
   goThrough(light_.raw, true);
-  for (int round = 1; round < kRounds; ++round) {
+  for (int round = 1; round < (halvesBy_ == HalvesBy::passes ? kRounds : 1); ++round) {
     forPixels([&](std::size_t i) {
       float sum = 0;
       for (std::size_t c = 0; c < 6; ++c) {
