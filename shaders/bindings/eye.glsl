@@ -166,9 +166,14 @@ void noteShared(uint slot, Surface s) {
   pathLight[slot].sharedNormal = s.geometricNormal;
 }
 
-/// Notes where and with which weight the path gathers indirect light.
-void beginGather(uint slot, PathState path, Surface s) {
-  pathLight[slot].modulation = path.throughput;
+/// Notes where the path gathers light, and by what the surface there scales it: about its albedo, whichever lobe is
+/// sampled and whether or not the direction leaves the surface, so that pixels can share what is left.
+void beginGather(uint slot, PathState path, Surface s, Bsdf b) {
+  vec3 albedo = b.diffuse;
+  if (kHasReflection) albedo += b.f0;
+  if (kHasTransmission) albedo += b.clear * b.tint;
+  if (kHasDiffuseTransmission) albedo += b.below;
+  pathLight[slot].modulation = path.throughput * albedo;
   pathLight[slot].position = s.position;
   pathLight[slot].normal = s.shadingNormal;
   pathLight[slot].gathers = 1u;
@@ -182,6 +187,9 @@ bool scatterEye(uint slot, inout PathState path, Surface s, Bsdf b, mat3 frame, 
   const vec3 wi = frame * sampled.wi;
   next = nextRay(s, wi, hash(ray.id + 1u));
   if (hasRead && !sampled.isDelta) return false;
+  const bool isSpecular = sampled.isDelta || isSpecularForMaps(b);
+  const bool beginsGather = kEyeMode != kEyeImportons && !isSpecular && (path.flags & kPathScattered) == 0u;
+  if (beginsGather) beginGather(slot, path, s, b);
   if (!isConsistent(s, wi, sampled.isTransmission)) return false;
   vec3 weight = sampled.weight;
   // Radiance is scaled by the squared relative index where light is refracted. [Veach 1997, eq. 5.2]
@@ -194,12 +202,11 @@ bool scatterEye(uint slot, inout PathState path, Surface s, Bsdf b, mat3 frame, 
     if (!(choice.y < survival)) return false;
     path.throughput /= survival;
   }
-  if (sampled.isDelta || isSpecularForMaps(b)) {
+  if (isSpecular) {
     path.flags |= kPathSpecular;
     path.pdfSolidAngle = (path.flags & kPathScattered) == 0u ? sampled.pdf : 0.0;
   } else {
     if ((path.flags & kPathScattered) != 0u) path.flags |= kPathDeep;
-    else if (kEyeMode != kEyeImportons) beginGather(slot, path, s);
     path.flags = (path.flags & ~kPathSpecular) | kPathScattered;
     path.pdfSolidAngle = sampled.pdf;
     path.distance = 0.0;
