@@ -23,7 +23,7 @@ PATHS = "--integrator path --gather 64 --max-depth 32"
 PHOTONS = "--photons 1000000 --gather 16 --indirect-filter off"
 # In pool and ring the required density has steps, beside which lookups of the caustic map lose light: the same density is
 # required everywhere (photons/m²).
-# So are lamps that all light leaves by a slit.
+# So are lamps whose light all comes through a slit.
 DIM = "--photons 262144 --gather 64 --indirect-filter off"
 WAYS = {"cornell_box": PATHS, "gallery": DIM, "rooms": PATHS, "door_slit": DIM,
         "glass_ball": PHOTONS, "glass_caustic": PHOTONS, "pool": PHOTONS + " --constant-density 40000",

@@ -169,11 +169,7 @@ void noteShared(uint slot, Surface s) {
 /// Notes where the path gathers light, and by what the surface there scales it: about its albedo, whichever lobe is
 /// sampled and whether or not the direction leaves the surface, so that pixels can share what is left.
 void beginGather(uint slot, PathState path, Surface s, Bsdf b) {
-  vec3 albedo = b.diffuse;
-  if (kHasReflection) albedo += b.f0;
-  if (kHasTransmission) albedo += b.clear * b.tint;
-  if (kHasDiffuseTransmission) albedo += b.below;
-  pathLight[slot].modulation = path.throughput * albedo;
+  pathLight[slot].modulation = path.throughput * (b.diffuse + b.below + b.f0 + b.clear * b.tint);
   pathLight[slot].position = s.position;
   pathLight[slot].normal = s.shadingNormal;
   pathLight[slot].gathers = 1u;

@@ -22,6 +22,11 @@ float layerReflectance(float f0, float f90, float missed, vec2 albedo) {
 
 vec2 albedoAt(uint index) { return unpackUnorm2x16(albedoTexel(index)); }
 
+/// Between four entries: from `at`, x along its row, y towards the next row, `count` entries on.
+vec2 albedoBetween(uint at, uint count, float x, float y) {
+  return mix(mix(albedoAt(at), albedoAt(at + 1u), x), mix(albedoAt(at + count), albedoAt(at + count + 1u), x), y);
+}
+
 /// Place in a row of `count` entries over the square root of `value` in 0 .. 1: the lower entry and the share of
 /// the next one.
 float tablePlace(float value, uint count, out uint index) {
@@ -36,8 +41,7 @@ vec2 ggxAlbedo(float cosine, float alpha) {
   uint i, j;
   const float x = tablePlace(cosine, kAlbedoSide, i), y = tablePlace(alpha, kAlbedoSide, j);
   const uint at = j * kAlbedoSide + i;
-  return mix(mix(albedoAt(at), albedoAt(at + 1u), x),
-             mix(albedoAt(at + kAlbedoSide), albedoAt(at + kAlbedoSide + 1u), x), y);
+  return albedoBetween(at, kAlbedoSide, x, y);
 }
 
 /// The same for light from everywhere.
@@ -65,8 +69,7 @@ float glassAlbedo(float cosine, float alpha, float eta) {
   vec2 rows[2];
   for (uint l = 0u; l < 2u; ++l) {
     const uint at = kGlassAlbedo + ((k + l) * kGlassAlbedoSide + j) * kGlassAlbedoSide + i;
-    rows[l] = mix(mix(albedoAt(at), albedoAt(at + 1u), x),
-                  mix(albedoAt(at + kGlassAlbedoSide), albedoAt(at + kGlassAlbedoSide + 1u), x), y);
+    rows[l] = albedoBetween(at, kGlassAlbedoSide, x, y);
   }
   const vec2 sides = mix(rows[0], rows[1], z);
   return eta >= 1.0 ? sides.x : sides.y;
@@ -77,8 +80,7 @@ vec2 glassMeanAlbedo(float alpha, float eta) {
   uint j, k;
   const float y = tablePlace(alpha, kGlassAlbedoSide, j), z = glassPlace(eta, k);
   const uint at = kGlassAlbedoMeans + k * kGlassAlbedoSide + j;
-  const vec2 sides = mix(mix(albedoAt(at), albedoAt(at + 1u), y),
-                         mix(albedoAt(at + kGlassAlbedoSide), albedoAt(at + kGlassAlbedoSide + 1u), y), z);
+  const vec2 sides = albedoBetween(at, kGlassAlbedoSide, y, z);
   return eta >= 1.0 ? sides : sides.yx;
 }
 
@@ -89,10 +91,8 @@ vec2 coatTaken(float cosine, float alpha, float coatAlpha) {
   const float x = tablePlace(cosine, kCoatSide, i), y = tablePlace(alpha, kCoatSide, j);
   const float z = tablePlace(coatAlpha, kCoatAlphas, k);
   const uint at = kCoatTaken + (k * kCoatSide + j) * kCoatSide + i, above = at + kCoatSide * kCoatSide;
-  const vec2 low = mix(mix(albedoAt(at), albedoAt(at + 1u), x),
-                       mix(albedoAt(at + kCoatSide), albedoAt(at + kCoatSide + 1u), x), y);
-  const vec2 high = mix(mix(albedoAt(above), albedoAt(above + 1u), x),
-                        mix(albedoAt(above + kCoatSide), albedoAt(above + kCoatSide + 1u), x), y);
+  const vec2 low = albedoBetween(at, kCoatSide, x, y);
+  const vec2 high = albedoBetween(above, kCoatSide, x, y);
   return mix(low, high, z);
 }
 
@@ -101,8 +101,7 @@ vec2 coatMeanTaken(float alpha, float coatAlpha) {
   uint j, k;
   const float y = tablePlace(alpha, kCoatSide, j), z = tablePlace(coatAlpha, kCoatAlphas, k);
   const uint at = kCoatMeans + k * kCoatSide + j;
-  return mix(mix(albedoAt(at), albedoAt(at + 1u), y),
-             mix(albedoAt(at + kCoatSide), albedoAt(at + kCoatSide + 1u), y), z);
+  return albedoBetween(at, kCoatSide, y, z);
 }
 
 /// x: share of light along `cosine` that white sheen reflects; y: the bound on its value there.
@@ -110,8 +109,7 @@ vec2 sheenAlbedo(float cosine, float alpha) {
   uint i, j;
   const float x = tablePlace(cosine, kSheenSide, i), y = tablePlace(alpha, kSheenSide, j);
   const uint at = kSheenAlbedo + j * kSheenSide + i;
-  return mix(mix(albedoAt(at), albedoAt(at + 1u), x),
-             mix(albedoAt(at + kSheenSide), albedoAt(at + kSheenSide + 1u), x), y);
+  return albedoBetween(at, kSheenSide, x, y);
 }
 
 /// Entries of GGX of roughness alphas.x along the tangent and alphas.y across it, which is not more: of the roughness
@@ -145,8 +143,7 @@ vec2 stretchedMeanAlbedo(vec2 alphas) {
   uvec2 at;
   const vec2 share = stretchPlace(alphas, at);
   const uint texel = kStretchMeans + at.x * kStretches + at.y;
-  return mix(mix(albedoAt(texel), albedoAt(texel + 1u), share.y),
-             mix(albedoAt(texel + kStretches), albedoAt(texel + kStretches + 1u), share.y), share.x);
+  return albedoBetween(texel, kStretches, share.y, share.x);
 }
 
 #endif

@@ -26,9 +26,9 @@ float ggxMaskingShadowing(vec3 wo, vec3 wi, float alpha) {
   return 1.0 / (1.0 + ggxLambda(wo, alpha) + ggxLambda(wi, alpha));
 }
 
-/// A normal visible from wo (wo.z > 0). [Heitz 2018, listing 1]
-vec3 sampleVisibleNormal(vec3 wo, float alpha, vec2 u) {
-  const vec3 v = normalize(vec3(alpha * wo.xy, wo.z));
+/// A normal visible from wo (wo.z > 0); alphas along x and y. [Heitz 2018, listing 1]
+vec3 sampleVisibleNormal(vec3 wo, vec2 alphas, vec2 u) {
+  const vec3 v = normalize(vec3(alphas * wo.xy, wo.z));
   const float length2 = dot(v.xy, v.xy);
   const vec3 t1 = length2 > 0.0 ? vec3(-v.y, v.x, 0.0) * inversesqrt(length2) : vec3(1.0, 0.0, 0.0);
   const vec3 t2 = cross(v, t1);
@@ -37,8 +37,10 @@ vec3 sampleVisibleNormal(vec3 wo, float alpha, vec2 u) {
   const float s = 0.5 * (1.0 + v.z);
   const float y = (1.0 - s) * sqrt(max(0.0, 1.0 - x * x)) + s * r * sin(phi);
   const vec3 n = x * t1 + y * t2 + sqrt(max(0.0, 1.0 - x * x - y * y)) * v;
-  return normalize(vec3(alpha * n.xy, max(1e-9, n.z)));
+  return normalize(vec3(alphas * n.xy, max(1e-9, n.z)));
 }
+
+vec3 sampleVisibleNormal(vec3 wo, float alpha, vec2 u) { return sampleVisibleNormal(wo, vec2(alpha), u); }
 
 /// Density of sampleVisibleNormal, 1/sr of normals. [Heitz 2018, eq. 3]
 float pdfVisibleNormal(vec3 wo, vec3 h, float alpha) {
@@ -64,16 +66,6 @@ float ggxMasking(vec3 w, vec2 alphas) { return 1.0 / (1.0 + ggxLambda(w, alphas)
 
 float ggxMaskingShadowing(vec3 wo, vec3 wi, vec2 alphas) {
   return 1.0 / (1.0 + ggxLambda(wo, alphas) + ggxLambda(wi, alphas));
-}
-
-vec3 sampleVisibleNormal(vec3 wo, vec2 alphas, vec2 u) {
-  const vec3 v = normalize(vec3(alphas * wo.xy, wo.z));
-  const float length2 = dot(v.xy, v.xy);
-  const vec3 t1 = length2 > 0.0 ? vec3(-v.y, v.x, 0.0) * inversesqrt(length2) : vec3(1.0, 0.0, 0.0);
-  const float r = sqrt(u.x), phi = 2.0 * kPi * u.y, x = r * cos(phi), s = 0.5 * (1.0 + v.z);
-  const float y = (1.0 - s) * sqrt(max(0.0, 1.0 - x * x)) + s * r * sin(phi);
-  const vec3 n = x * t1 + y * cross(v, t1) + sqrt(max(0.0, 1.0 - x * x - y * y)) * v;
-  return normalize(vec3(alphas * n.xy, max(1e-9, n.z)));
 }
 
 float pdfVisibleNormal(vec3 wo, vec3 h, vec2 alphas) {

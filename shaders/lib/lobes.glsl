@@ -248,7 +248,7 @@ Bsdf makeBsdf(Surface s, float cosOut) {
   b.clear = kHasTransmission ? (1.0 - metal) * s.transmission : 0.0;
   const float opaque = 1.0 - metal - b.clear;
   b.diffuse = s.baseColor * opaque;
-  b.below = vec3(0.0);
+  b.below = b.f0 = b.tint = vec3(0.0);
   if (kHasDiffuseTransmission) {
     b.below = s.diffuseTransmissionColor * (opaque * s.diffuseTransmission);
     b.diffuse *= 1.0 - s.diffuseTransmission;

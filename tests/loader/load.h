@@ -18,6 +18,14 @@ inline Scene load(const GltfBuilder& builder, const FileChoices& choices = {}) {
   return load(builder.glb(), log, choices);
 }
 
+/// The material of a triangle after `change` of its JSON.
+template <typename Change>
+Material materialWith(Change change) {
+  GltfBuilder builder = GltfBuilder::emissiveTriangle();
+  change(builder.json["materials"][0]);
+  return load(builder).materials.at(0);
+}
+
 inline constexpr auto kStrict = Strictness::strict;
 
 /// The message of the SceneError that loading throws; "" if it loads.

@@ -8,14 +8,6 @@
 namespace importon::test::layers_test {
 namespace {
 
-/// The material of the triangle after `change`.
-template <typename Change>
-Material materialWith(Change change) {
-  GltfBuilder builder = GltfBuilder::emissiveTriangle();
-  change(builder.json["materials"][0]);
-  return load(builder).materials.at(0);
-}
-
 constexpr const char* kLayers = "KHR_materials_";
 
 TEST(MaterialLayers, AreAbsentByDefault) {

@@ -6,14 +6,6 @@
 namespace importon::test {
 namespace {
 
-/// The material of the triangle after `change`.
-template <typename Change>
-Material materialWith(Change change) {
-  GltfBuilder builder = GltfBuilder::emissiveTriangle();
-  change(builder.json["materials"][0]);
-  return load(builder).materials.at(0);
-}
-
 TEST(Material, DefaultsAreThoseOfGltf) {
   const Material material = materialWith([](Json&) {});
   EXPECT_EQ(material.baseColor, vec4(1));
