@@ -5,7 +5,10 @@
 # <NAMESPACE/name.h> (src/gpu/describe_kernels.cpp). <NAMESPACE/registry.h> has all by name.
 # Buffers need no binding: glslang numbers those that have none.
 # Includes are found from the shaders folder. glslangValidator writes a dependency file per shader, so an edit
-# rebuilds what includes the edited file and nothing else.
+# rebuilds what includes the edited file and nothing else. What the optimiser made is kept in IMPORTON_KERNEL_CACHE, so
+# that a second build of the same, with other options, need not wait for it.
+
+set(IMPORTON_KERNEL_CACHE "" CACHE PATH "Folder that keeps optimised kernels for other builds of the same")
 
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 
@@ -29,7 +32,7 @@ function(importon_add_kernels target namespace)
       OUTPUT ${module} ${lean}
       COMMAND ${GLSLANG_VALIDATOR} -V --target-env vulkan1.2 --auto-map-bindings --quiet -I${shaderFolder}
               --depfile ${module}.d -o ${module} ${source}
-      COMMAND importon_optimise_module ${module} ${module} ${lean}
+      COMMAND importon_optimise_module ${module} ${module} ${lean} ${IMPORTON_KERNEL_CACHE}
       DEPENDS ${source} importon_optimise_module
       DEPFILE ${module}.d
       COMMENT "Kernel ${name}"

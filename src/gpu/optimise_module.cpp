@@ -1,22 +1,28 @@
 /// Makes a SPIR-V module small before a driver sees it:
-///   importon_optimise_module MODULE OPTIMISED LEAN
+///   importon_optimise_module MODULE OPTIMISED LEAN [FOLDER]
 /// A driver specialises a module whenever a program starts, and many do it after inlining all functions: here that is
 /// done once, with the constants left open. LEAN is the same module with the constants of rare features
 /// (kSpecFirstRare) taken for false, or an empty file if it has none: what most scenes never need is not in it at all.
-/// Throws at a module that is not valid for Vulkan 1.2 with scalar block layout.
+/// Throws at a module that is not valid for Vulkan 1.2 with scalar block layout. FOLDER keeps what was made, for builds
+/// that make the same: it takes seconds.
 #include <spirv_cross/spirv.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <set>
+#include <span>
 #include <spirv-tools/optimizer.hpp>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "base/hash.h"
 #include "shared/features.h"
 
 namespace {
@@ -37,20 +43,19 @@ const std::vector<std::string> kPasses{
     "--ccp", "--eliminate-dead-code-aggressive", "--eliminate-dead-branches", "--redundancy-elimination",
     "--combine-access-chains", "--vector-dce", "--eliminate-dead-inserts", "--merge-blocks"};
 
-Words read(const std::string& file) {
+Words read(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (bytes.size() < kHeaderWords * sizeof(Words::value_type)) throw std::runtime_error("no module in " + file);
   Words words(bytes.size() / sizeof(Words::value_type));
   std::copy_n(bytes.begin(), words.size() * sizeof(Words::value_type), reinterpret_cast<char*>(words.data()));
   return words;
 }
 
-void write(const std::string& file, const Words& words) {
+void write(const std::filesystem::path& file, const Words& words) {
   std::ofstream stream(file, std::ios::binary);
   stream.write(reinterpret_cast<const char*>(words.data()),
                static_cast<std::streamsize>(words.size() * sizeof(Words::value_type)));
-  if (!stream.flush()) throw std::runtime_error("cannot write " + file);
+  if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
 }
 
 /// The module with its rare constants, which are Booleans, as the constant false; empty: it has none. Decorations come
@@ -96,14 +101,65 @@ Words optimised(const Words& module) {
   return result;
 }
 
+struct Modules {
+  Words whole, lean;
+};
+
+Modules optimisedBoth(const Words& module) {
+  const Words lean = withoutRare(module);
+  return {optimised(module), lean.empty() ? lean : optimised(lean)};
+}
+
+/// By all that a result depends on.
+std::filesystem::path fileFor(const Words& module, const std::filesystem::path& folder) {
+  importon::ContentHash hash;
+  hash.add(IMPORTON_OPTIMISER);  // this source and the rare constants
+  hash.add(spvSoftwareVersionDetailsString());
+  hash.add(std::as_bytes(std::span(module)));
+  std::ostringstream name;
+  name << std::hex << hash.value();
+  return folder / name.str();
+}
+
+/// Of what keep() wrote; both empty if there is nothing.
+Modules readKept(const std::filesystem::path& file) {
+  const Words words = read(file);
+  if (words.empty() || words[0] >= words.size()) return {};
+  const auto middle = words.begin() + 1 + words[0];
+  return {Words(words.begin() + 1, middle), Words(middle, words.end())};
+}
+
+/// Other builds see the whole file or none.
+void keep(const Modules& modules, const std::filesystem::path& file) {
+  Words words{static_cast<std::uint32_t>(modules.whole.size())};
+  words.insert(words.end(), modules.whole.begin(), modules.whole.end());
+  words.insert(words.end(), modules.lean.begin(), modules.lean.end());
+  std::filesystem::create_directories(file.parent_path());
+  const std::filesystem::path part = file.string() + "." + std::to_string(getpid());
+  write(part, words);
+  std::filesystem::rename(part, file);
+}
+
+Modules optimisedOnce(const Words& module, const std::filesystem::path& folder) {
+  const std::filesystem::path file = fileFor(module, folder);
+  Modules modules = readKept(file);
+  if (modules.whole.empty()) {
+    modules = optimisedBoth(module);
+    keep(modules, file);
+  }
+  return modules;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
   try {
-    if (count != 4) throw std::runtime_error("MODULE OPTIMISED LEAN are wanted");
-    const Words module = read(arguments[1]), lean = withoutRare(module);
-    write(arguments[2], optimised(module));
-    write(arguments[3], lean.empty() ? lean : optimised(lean));
+    if (count != 4 && count != 5) throw std::runtime_error("MODULE OPTIMISED LEAN [FOLDER] are wanted");
+    const Words module = read(arguments[1]);
+    if (module.size() < kHeaderWords) throw std::runtime_error("no module");
+    const Modules modules = count == 5 ? optimisedOnce(module, arguments[4]) : optimisedBoth(module);
+    write(arguments[2], modules.whole);
+    write(arguments[3], modules.lean);
     return 0;
   } catch (const std::exception& error) {
     std::cerr << "importon_optimise_module: " << (count > 1 ? arguments[1] : "") << ": " << error.what() << "\n";

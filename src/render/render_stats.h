@@ -25,9 +25,10 @@ struct PhotonMapStats {
   std::array<double, 3> fluxMap{};   // W per pass, RGB, as it stands in the map
 };
 
-/// Wall-clock seconds.
+/// Wall-clock seconds. `cells`: cutting surfaces into cells; `resolve`: making images and estimates of the film.
 struct PhaseSeconds {
-  double total = 0, load = 0, bvh = 0, device = 0, importance = 0, photons = 0, gather = 0, output = 0;
+  double total = 0, load = 0, bvh = 0, device = 0, importance = 0, cells = 0, photons = 0, gather = 0, resolve = 0,
+         output = 0;
 };
 
 /// The error against a reference after a pass.

@@ -62,11 +62,18 @@ void Renderer::findImportance() {
 void Renderer::renderPass(int pass, int parts) {
   context_.now = context_.plan.sizeOf(parts);
   context_.setPass(pass, totals_.done());
-  if (cache_.isUsed()) cache_.beginPass(pass);
+  cutCells(pass);
   context_.begin();
   shootPhotons(pass);
   gatherImage(pass);
   totals_.countPass(pass, caustic_, global_, cache_);
+}
+
+void Renderer::cutCells(int pass) {
+  if (!cache_.isUsed()) return;
+  const Clock::time_point start = Clock::now();
+  cache_.beginPass(pass);
+  stats_.seconds.cells += secondsSince(start);
 }
 
 void Renderer::shootPhotons(int pass) {
@@ -131,10 +138,17 @@ std::uint64_t Renderer::fingerprint() const {
   return hash.value();
 }
 
+FilmLayers Renderer::read() {
+  const Clock::time_point start = Clock::now();
+  FilmLayers layers = camera_.read(totals_.done());
+  stats_.seconds.resolve += secondsSince(start);
+  return layers;
+}
+
 Image Renderer::image() const { return imageOf(camera_.read(totals_.done()), context_); }
 
 Image Renderer::imageWithLayers() {
-  const FilmLayers layers = camera_.read(totals_.done());
+  const FilmLayers layers = read();
   if (totals_.done().oddSamples > 0) {
     stats_.error.estimated = layers.estimatedError;
     stats_.error.low = kBandLow * layers.estimatedError;

@@ -26,7 +26,7 @@ class Renderer {
 
   /// The image so far, relative error expected of it, and its layers that the job asks for.
   [[nodiscard]] Image image() const;
-  [[nodiscard]] double estimatedError() const { return camera_.read(totals_.done()).estimatedError; }
+  [[nodiscard]] double estimatedError() { return read().estimatedError; }
   [[nodiscard]] Image imageWithLayers();
   /// Statistics so far, and at the end.
   [[nodiscard]] const RenderStats& stats() const { return stats_; }
@@ -36,8 +36,10 @@ class Renderer {
 
  private:
   void findImportance();
+  void cutCells(int pass);
   void shootPhotons(int pass);
   void gatherImage(int pass);
+  [[nodiscard]] FilmLayers read();
   [[nodiscard]] EyeMaps eyeMaps() const;
 
   RenderStats stats_;

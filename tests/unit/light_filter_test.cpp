@@ -41,8 +41,17 @@ std::vector<FilmPixel> filmOf(const std::function<Seen(int x, int y)>& seen, flo
 
 Seen onFloor(int x, int y) { return {vec3(x, 0, y), vec3(0, 1, 0), 1, (x / 3 + y / 3) % 2 == 0 ? 0.2f : 0.8f}; }
 
+LightOfHalves read(std::span<const FilmPixel> film, vec3 FilmPixel::*light) {
+  LightOfHalves means = darkHalves(kPixels);
+  for (std::size_t i = 0; i < kPixels; ++i) {
+    means.even[i] = film[i].*light / 4.0f;
+    means.odd[i] = film[kPixels + i].*light / 4.0f;
+  }
+  return means;
+}
+
 LightOfHalves filterIndirect(std::span<const FilmPixel> film, int threads = 1) {
-  return LightFilter(film, kWidth, kFourPaths, threads).clean(&FilmPixel::indirect);
+  return LightFilter(film, kWidth, kFourPaths, threads).clean(read(film, &FilmPixel::indirect), OnEdges::mixture);
 }
 
 /// Of the image of both halves over irradiance 1, root mean square over pixels that `counts`.
@@ -76,7 +85,8 @@ std::vector<FilmPixel> twice(std::vector<FilmPixel> film) {
 }
 
 LightOfHalves filterByChessboard(std::span<const FilmPixel> film) {
-  return LightFilter(film, kWidth, kFourPaths, 1, HalvesBy::chessboard).clean(&FilmPixel::indirect);
+  return LightFilter(film, kWidth, kFourPaths, 1, HalvesBy::chessboard)
+      .clean(read(film, &FilmPixel::indirect), OnEdges::mixture);
 }
 
 TEST(LightFilterTest, OneHalfIsSharedByTheColoursOfAChessboard) {
@@ -274,9 +284,10 @@ TEST(LightFilterTest, PartsOfLightAreCleanedEachByItsOwnNoise) {
     pixel.indirect = pixel.modulation;
   }
   LightFilter filter(film, kWidth, kFourPaths, 1);
-  EXPECT_LT(errorOf(filter.clean(&FilmPixel::direct), onFloor, everywhere), 0.2 / std::sqrt(2.0) / 20);
-  EXPECT_LT(errorOf(filter.clean(&FilmPixel::indirect), onFloor, everywhere), 1e-6);
-  const LightOfHalves caustic = filter.clean(&FilmPixel::caustic);
+  const auto clean = [&](vec3 FilmPixel::*light) { return filter.clean(read(film, light), OnEdges::own); };
+  EXPECT_LT(errorOf(clean(&FilmPixel::direct), onFloor, everywhere), 0.2 / std::sqrt(2.0) / 20);
+  EXPECT_LT(errorOf(clean(&FilmPixel::indirect), onFloor, everywhere), 1e-6);
+  const LightOfHalves caustic = clean(&FilmPixel::caustic);
   for (std::size_t i = 0; i < kPixels; ++i) EXPECT_EQ(caustic.even[i], vec3(0));
 }
 

@@ -57,7 +57,7 @@ TEST(StatsFile, HasTheKeysOfTheContract) {
   EXPECT_EQ(keysOf(json["scene"]), (Keys{"file", "triangles", "lights", "features"}));
   EXPECT_EQ(keysOf(json["image"]), (Keys{"width", "height", "passes"}));
   EXPECT_EQ(keysOf(json["seconds"]),
-            (Keys{"total", "load", "bvh", "device", "importance", "photons", "gather", "output"}));
+            (Keys{"total", "load", "bvh", "device", "importance", "cells", "photons", "gather", "resolve", "output"}));
   EXPECT_EQ(keysOf(json["kernels"][0]), (Keys{"label", "launches", "total_ms"}));
   EXPECT_EQ(keysOf(json["rays"]), (Keys{"closest", "shadow"}));
   EXPECT_EQ(keysOf(json["importons"]), (Keys{"emitted", "caustic", "global"}));

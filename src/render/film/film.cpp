@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "fmt/format.h"
 #include "render/film/error_estimate.h"
+#include "render/film/light_parts.h"
 #include "render/filter/light_filter.h"
 
 namespace importon {
@@ -58,51 +59,40 @@ constexpr double kChosenByItself = 1.35;
 /// more the noise is less than what that blurs.
 constexpr std::uint64_t kFewPaths = 16;
 
-bool hasHalves(const FilmReading& reading) { return reading.sharesLight && reading.counts.oddSamples > 0; }
-
-float inverse(float samples) { return samples > 0 ? 1 / samples : 0.0f; }
-
-/// The parts of a pixel's light, each in both halves, as means over their paths.
-struct LightParts {
-  LightOfHalves direct, caustic, indirect;
-};
-
-LightOfHalves meansOf(std::span<const FilmPixel> halves, const SampleCounts& counts, vec3 FilmPixel::*light) {
-  const std::size_t pixels = halves.size() / 2;
-  LightOfHalves means{std::vector<vec3>(pixels), std::vector<vec3>(pixels)};
-  for (std::size_t i = 0; i < pixels; ++i) {
-    means.even[i] = halves[i].*light * inverse(counts.even(i));
-    means.odd[i] = halves[pixels + i].*light * inverse(counts.odd(i));
-  }
-  return means;
-}
-
-LightParts cleanAll(LightFilter& filter) {
-  return {filter.clean(&FilmPixel::direct), filter.clean(&FilmPixel::caustic), filter.clean(&FilmPixel::indirect)};
+LightParts shareHalves(std::span<const FilmPixel> halves, const LightParts& raw, const FilmReading& reading) {
+  LightFilter filter(halves, reading.width, reading.counts, reading.threads);
+  return shareLight(filter, raw);
 }
 
 /// Of a film without odd passes, for which the image stands, too.
-LightParts cleanSingleHalf(std::span<const FilmPixel> halves, const FilmReading& reading) {
+LightParts shareSingleHalf(std::span<const FilmPixel> halves, const LightParts& raw, const FilmReading& reading) {
   const std::span<const FilmPixel> even = halves.first(halves.size() / 2);
   LargeVector<FilmPixel> twice(even.begin(), even.end());
   twice.insert(twice.end(), even.begin(), even.end());
   const SampleCounts& counts = reading.counts;
   LightFilter filter(twice, reading.width, {counts.evenSamples, counts.evenSamples, counts.evenExtra, counts.evenExtra},
                      reading.threads, HalvesBy::chessboard);
-  LightParts parts = cleanAll(filter);
-  for (LightOfHalves* part : {&parts.direct, &parts.caustic, &parts.indirect})
-    for (std::size_t i = 0; i < even.size(); ++i) part->even[i] = part->odd[i] = 0.5f * (part->even[i] + part->odd[i]);
-  return parts;
+  LightParts shown = raw;
+  for (const auto& [part, onEdges] : kSharedParts) {
+    shown.*part = filter.clean({(raw.*part).even, (raw.*part).even}, onEdges);
+    for (std::size_t i = 0; i < even.size(); ++i)
+      (shown.*part).even[i] = 0.5f * ((shown.*part).even[i] + (shown.*part).odd[i]);
+  }
+  return shown;
 }
 
-LightParts readParts(std::span<const FilmPixel> halves, const FilmReading& reading) {
-  if (hasHalves(reading)) {
-    LightFilter filter(halves, reading.width, reading.counts, reading.threads);
-    return cleanAll(filter);
+void setLight(const LightParts& shown, float evenShare, FilmLayers& layers) {
+  const auto mean = [evenShare](const LightOfHalves& part, std::size_t i) {
+    return part.even[i] * evenShare + part.odd[i] * (1 - evenShare);
+  };
+  for (auto* layer : {&layers.total, &layers.direct, &layers.caustic, &layers.indirect}) layer->resize(shown.pixels());
+  for (std::size_t i = 0; i < shown.pixels(); ++i) {
+    layers.direct[i] = (shown.emitted.even[i] + shown.direct.even[i]) * evenShare +
+                       (shown.emitted.odd[i] + shown.direct.odd[i]) * (1 - evenShare);
+    layers.caustic[i] = mean(shown.caustic, i);
+    layers.indirect[i] = mean(shown.indirect, i);
+    layers.total[i] = layers.direct[i] + layers.caustic[i] + layers.indirect[i];
   }
-  if (reading.sharesLight && reading.counts.evenSamples <= kFewPaths) return cleanSingleHalf(halves, reading);
-  const auto read = [&](vec3 FilmPixel::*light) { return meansOf(halves, reading.counts, light); };
-  return {read(&FilmPixel::direct), read(&FilmPixel::caustic), read(&FilmPixel::indirect)};
 }
 
 /// Of the mean of a half's paths.
@@ -112,43 +102,42 @@ vec3 varianceOf(const FilmPixel& sums, float samples) {
   return glm::max(sums.square / samples - mean * mean, vec3(0)) / (samples - 1);
 }
 
-}  // namespace
-
-FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& reading) {
+void setVarianceAndCoverage(std::span<const FilmPixel> halves, const SampleCounts& counts, FilmLayers& layers) {
   const std::size_t pixels = halves.size() / 2;
-  const SampleCounts& counts = reading.counts;
   const float share = counts.evenShare();
-  const auto mix = [share](const vec3& even, const vec3& odd) { return even * share + odd * (1 - share); };
-  const LightParts parts = readParts(halves, reading);
-  LightOfHalves shown{std::vector<vec3>(pixels), std::vector<vec3>(pixels)}, raw = shown;
-  FilmLayers layers;
-  for (auto* layer : {&layers.total, &layers.direct, &layers.caustic, &layers.indirect, &layers.variance})
-    layer->resize(pixels);
+  layers.variance.resize(pixels);
   layers.coverage.resize(pixels);
   for (std::size_t i = 0; i < pixels; ++i) {
     const FilmPixel &a = halves[i], &b = halves[pixels + i];
-    const vec3 emittedEven = a.emitted * inverse(counts.even(i)), emittedOdd = b.emitted * inverse(counts.odd(i));
-    layers.direct[i] = mix(emittedEven + parts.direct.even[i], emittedOdd + parts.direct.odd[i]);
-    layers.caustic[i] = mix(parts.caustic.even[i], parts.caustic.odd[i]);
-    layers.indirect[i] = mix(parts.indirect.even[i], parts.indirect.odd[i]);
-    layers.total[i] = layers.direct[i] + layers.caustic[i] + layers.indirect[i];
-    layers.coverage[i] =
-        1 - (a.uncovered * inverse(counts.even(i)) * share + b.uncovered * inverse(counts.odd(i)) * (1 - share));
-    layers.variance[i] =
-        varianceOf(a, counts.even(i)) * (share * share) + varianceOf(b, counts.odd(i)) * ((1 - share) * (1 - share));
-    raw.even[i] = emittedEven + (a.direct + a.caustic + a.indirect) * inverse(counts.even(i));
-    raw.odd[i] = emittedOdd + (b.direct + b.caustic + b.indirect) * inverse(counts.odd(i));
-    shown.even[i] = emittedEven + parts.direct.even[i] + parts.caustic.even[i] + parts.indirect.even[i];
-    shown.odd[i] = emittedOdd + parts.direct.odd[i] + parts.caustic.odd[i] + parts.indirect.odd[i];
+    const float even = counts.even(i), odd = counts.odd(i);
+    layers.variance[i] = varianceOf(a, even) * (share * share) + varianceOf(b, odd) * ((1 - share) * (1 - share));
+    layers.coverage[i] = 1 - (a.uncovered * inverseOf(even) * share + b.uncovered * inverseOf(odd) * (1 - share));
   }
-  layers.error.resize(pixels);
-  if (counts.oddSamples == 0) return layers;
+}
+
+}  // namespace
+
+FilmLayers resolveFilm(std::span<const FilmPixel> halves, const FilmReading& reading) {
+  const SampleCounts& counts = reading.counts;
+  const float share = counts.evenShare();
+  FilmLayers layers;
+  layers.error.resize(halves.size() / 2);
+  setVarianceAndCoverage(halves, counts, layers);
+  const LightParts raw = readParts(halves, counts);
+  if (counts.oddSamples == 0) {
+    const bool isShared = reading.sharesLight && counts.evenSamples <= kFewPaths;
+    setLight(isShared ? shareSingleHalf(halves, raw, reading) : raw, share, layers);
+    return layers;
+  }
+  const LightParts shown = reading.sharesLight ? shareHalves(halves, raw, reading) : raw;
+  setLight(shown, share, layers);
+  const LightOfHalves rawTotal = raw.total(), total = shown.total();
   const ErrorEstimate estimate =
-      estimateErrors({shown.even, shown.odd, share}, {raw.even, raw.odd, share}, reading.width);
-  const double chosen = hasHalves(reading) ? kChosenByItself : 1;
-  layers.estimatedError = chosen * estimate.relative;
+      estimateErrors({total.even, total.odd, share}, {rawTotal.even, rawTotal.odd, share}, reading.width);
+  const double factor = reading.sharesLight ? kChosenByItself : 1;
+  layers.estimatedError = factor * estimate.relative;
   std::transform(estimate.perPixel.begin(), estimate.perPixel.end(), layers.error.begin(),
-                 [&](const vec3& error) { return static_cast<float>(chosen) * error; });
+                 [&](const vec3& error) { return static_cast<float>(factor) * error; });
   return layers;
 }
 

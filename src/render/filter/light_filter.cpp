@@ -10,7 +10,6 @@
 namespace importon {
 namespace {
 
-constexpr int kScales = 6;  // the smoothest is a Gaussian of 37 pixels
 constexpr int kRounds = 2;  // the second takes up what the first took for noise though it is light
 /// Levels over which the statistics of a detail are averaged, from its own on; and those of a smaller window.
 constexpr int kWindowLevels = 3, kNearLevels = 2;
@@ -28,55 +27,63 @@ void LightFilter::forPixels(const Body& body) const {
 
 LightFilter::LightFilter(std::span<const FilmPixel> halves, int width, const SampleCounts& counts, int threads,
                          HalvesBy halvesBy)
-    : film_(halves),
-      counts_(counts),
+    : evenShare_(counts.evenShare()),
       threads_(threads),
       halvesBy_(halvesBy),
       pixels_(halves.size() / 2),
       guides_(readGuides(halves, width, counts, threads)),
-      smoother_(guides_, kScales + kWindowLevels - 1, threads),
-      modulation_(planesOf(pixels_)),
+      smoother_(guides_, kFilterScales + kWindowLevels - 1, threads),
       light_(pixels_),
       scale_(pixels_) {
-  const float share = counts.evenShare();
-  forPixels([&](std::size_t i) {
-    const vec3 even = film_[i].modulation / counts_.even(i), odd = film_[pixels_ + i].modulation / counts_.odd(i);
-    for (std::size_t c = 0; c < 3; ++c)
-      modulation_[c][i] = share * even[static_cast<int>(c)] + (1 - share) * odd[static_cast<int>(c)];
-  });
+  weighLight(halves, counts);
 }
 
-LightOfHalves LightFilter::clean(vec3 FilmPixel::*light) {
-  LightOfHalves result{std::vector<vec3>(pixels_), std::vector<vec3>(pixels_)};
-  if (std::all_of(film_.begin(), film_.end(), [&](const FilmPixel& p) { return p.*light == vec3(0); })) return result;
+/// What glass shows is shared with its modulation: that differs by chance from path to path.
+void LightFilter::weighLight(std::span<const FilmPixel> halves, const SampleCounts& counts) {
+  weights_.own = planesOf(pixels_);
+  forPixels([&](std::size_t i) {
+    const bool isGlass = guides_.kind[i] == PixelKind::glass;
+    const vec3 even = halves[i].modulation / counts.even(i), odd = halves[pixels_ + i].modulation / counts.odd(i);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int channel = static_cast<int>(c);
+      weights_.own[c][i] = isGlass ? 1.0f : evenShare_ * even[channel] + (1 - evenShare_) * odd[channel];
+    }
+  });
+  Planes smoothed = weights_.own;
+  std::array<Plane*, 3> planes{&smoothed[0], &smoothed[1], &smoothed[2]};
+  for (int scale = 0; scale < kFilterScales; ++scale) {
+    smoother_.smooth(planes, scale);
+    weights_.smooth[static_cast<std::size_t>(scale)] = smoothed;
+  }
+}
+
+LightOfHalves LightFilter::clean(const LightOfHalves& light, OnEdges onEdges) {
+  LightOfHalves result = light;
+  const auto isDark = [](const std::vector<vec3>& half) {
+    return std::all_of(half.begin(), half.end(), [](const vec3& radiance) { return radiance == vec3(0); });
+  };
+  if (isDark(light.even) && isDark(light.odd)) return result;
   readRaw(light);
   cleanRaw();
-  // Other light may differ within a pixel: an edge is often one of a shadow, too.
-  if (light == &FilmPixel::indirect)
-    mixEdges(smoother_, light_.weights, light_.raw, counts_.evenShare(), light_.leastSquare, light_.shown);
+  if (onEdges == OnEdges::mixture)
+    mixEdges(smoother_, weights_.own, light_.raw, evenShare_, light_.leastSquare, light_.shown);
   forPixels([&](std::size_t i) {
-    result.even[i] = film_[i].*light / counts_.even(i);
-    result.odd[i] = film_[pixels_ + i].*light / counts_.odd(i);
     if (guides_.kind[i] == PixelKind::none) return;
     for (std::size_t c = 0; c < 3; ++c) {
-      if (!(light_.weights[c][i] > 0)) continue;
-      result.even[i][static_cast<int>(c)] = light_.weights[c][i] * light_.shown.planes[kEven + c][i];
-      result.odd[i][static_cast<int>(c)] = light_.weights[c][i] * light_.shown.planes[kOdd + c][i];
+      if (!(weights_.own[c][i] > 0)) continue;
+      result.even[i][static_cast<int>(c)] = weights_.own[c][i] * light_.shown.planes[kEven + c][i];
+      result.odd[i][static_cast<int>(c)] = weights_.own[c][i] * light_.shown.planes[kOdd + c][i];
     }
   });
   return result;
 }
 
-/// What glass shows is shared with its modulation: that differs by chance from path to path.
-void LightFilter::readRaw(vec3 FilmPixel::*light) {
+void LightFilter::readRaw(const LightOfHalves& light) {
   forPixels([&](std::size_t i) {
-    const FilmPixel &even = film_[i], &odd = film_[pixels_ + i];
-    const bool isGlass = guides_.kind[i] == PixelKind::glass;
     for (std::size_t c = 0; c < 3; ++c) {
       const int channel = static_cast<int>(c);
-      light_.weights[c][i] = isGlass ? 1.0f : modulation_[c][i];
-      light_.raw.planes[kEven + c][i] = ratio((even.*light)[channel] / counts_.even(i), light_.weights[c][i]);
-      light_.raw.planes[kOdd + c][i] = ratio((odd.*light)[channel] / counts_.odd(i), light_.weights[c][i]);
+      light_.raw.planes[kEven + c][i] = ratio(light.even[i][channel], weights_.own[c][i]);
+      light_.raw.planes[kOdd + c][i] = ratio(light.odd[i][channel], weights_.own[c][i]);
     }
   });
   if (halvesBy_ == HalvesBy::chessboard) splitByChessboard();
@@ -98,8 +105,8 @@ void LightFilter::splitByChessboard() {
         if (q != i && !guides_.areAlike(i, q)) continue;
         const std::size_t half = (qx + qy) % 2 == 0 ? kEven : kOdd;
         for (std::size_t c = 0; c < 3; ++c) {
-          sum[half + c] += light_.weights[c][q] * whole[c][q];
-          weight[half + c] += light_.weights[c][q];
+          sum[half + c] += weights_.own[c][q] * whole[c][q];
+          weight[half + c] += weights_.own[c][q];
         }
       }
     for (std::size_t c = 0; c < 6; ++c)
@@ -128,11 +135,10 @@ void LightFilter::goThrough(const Halves& light, bool isFirst) {
   forPixels([&](std::size_t i) {
     for (std::size_t c = 0; c < 6; ++c) {
       scale_.fine.planes[c][i] = light.planes[c][i];
-      scale_.sums.planes[c][i] = light.planes[c][i] * light_.weights[c % 3][i];
+      scale_.sums.planes[c][i] = light.planes[c][i] * weights_.own[c % 3][i];
     }
-    for (std::size_t c = 0; c < 3; ++c) scale_.sumOfWeights[c][i] = light_.weights[c][i];
   });
-  for (int scale = 0; scale < kScales; ++scale) {
+  for (int scale = 0; scale < kFilterScales; ++scale) {
     splitScale(scale, isFirst);
     keepLight(scale);
   }
@@ -143,14 +149,15 @@ void LightFilter::goThrough(const Halves& light, bool isFirst) {
 
 /// The detail is what the next scale takes away. Its squares count by the importance: relative to what is there.
 void LightFilter::splitScale(int scale, bool isFirst) {
-  std::array<Plane*, 9> smoothed;
-  for (std::size_t c = 0; c < 6; ++c) smoothed[c] = &scale_.sums.planes[c];
-  for (std::size_t c = 0; c < 3; ++c) smoothed[6 + c] = &scale_.sumOfWeights[c];
+  std::array<Plane*, 6> smoothed;
+  std::transform(scale_.sums.planes.begin(), scale_.sums.planes.end(), smoothed.begin(),
+                 [](Plane& plane) { return &plane; });
+  const Planes& sumOfWeights = weights_.smooth[static_cast<std::size_t>(scale)];
   smoother_.smooth(smoothed, scale);
   forPixels([&](std::size_t i) {
     float sum = 0, product = 0, apart = 0;
     for (std::size_t c = 0; c < 6; ++c) {
-      const float coarse = ratio(scale_.sums.planes[c][i], scale_.sumOfWeights[c % 3][i]);
+      const float coarse = ratio(scale_.sums.planes[c][i], sumOfWeights[c % 3][i]);
       scale_.detail.planes[c][i] = scale_.fine.planes[c][i] - coarse;
       scale_.fine.planes[c][i] = coarse;
       sum += coarse;
@@ -160,22 +167,21 @@ void LightFilter::splitScale(int scale, bool isFirst) {
       product += even * odd;
       apart += (even - odd) * (even - odd);
     }
-    const bool isShared = light_.weights[0][i] + light_.weights[1][i] + light_.weights[2][i] > 0;
+    const bool isShared = weights_.own[0][i] + weights_.own[1][i] + weights_.own[2][i] > 0;
     const float importance = !isShared ? 0.0f : isFirst ? importanceOf(sum, light_.leastSquare) : light_.importance[i];
     scale_.statistics.set(i, importance * product, importance * apart);
   });
 }
 
 void LightFilter::keepLight(int scale) {
-  const float evenShare = counts_.evenShare();
   for (int k = 0; k < kWindowLevels; ++k) {
     smoother_.smooth(scale_.statistics.planes(), scale + k);
     if (k + 1 == kNearLevels)
-      forPixels([&](std::size_t i) { scale_.near[i] = scale_.statistics.shareOfProduct(i, evenShare); });
+      forPixels([&](std::size_t i) { scale_.near[i] = scale_.statistics.shareOfProduct(i, evenShare_); });
   }
   forPixels([&](std::size_t i) {
     const float gain =
-        std::min(scale_.near[i], scale_.statistics.shareOfLight(i, smoother_.independentIn(i, scale), evenShare));
+        std::min(scale_.near[i], scale_.statistics.shareOfLight(i, smoother_.independentIn(i, scale), evenShare_));
     for (std::size_t c = 0; c < 6; ++c) light_.shown.planes[c][i] += gain * scale_.detail.planes[c][i];
   });
 }

@@ -18,15 +18,26 @@ struct LightOfHalves {
   std::vector<vec3> even, odd;
 };
 
+inline LightOfHalves darkHalves(std::size_t pixels) { return {std::vector<vec3>(pixels), std::vector<vec3>(pixels)}; }
+
+/// What pixels on edges have: their own light, or that of the surfaces beside them in their shares.
+enum class OnEdges { own, mixture };
+
+constexpr int kFilterScales = 6;  // the smoothest is a Gaussian of 37 pixels
+
+/// What light is divided by, and shared with, whichever part of the light it is.
+struct LightWeights {
+  Planes own;                                // the modulation, mean of both halves, or of glass 1
+  std::array<Planes, kFilterScales> smooth;  // after each scale
+};
+
 /// What a filter works on: a part of the light.
 struct LightAtHand {
-  Planes weights;  // the modulation, or of glass 1
   Halves raw, shown, rest;
   Plane importance;       // of squared errors
   float leastSquare = 0;  // of the sum of both halves' channels, that errors count relative to
 
-  explicit LightAtHand(std::size_t pixels)
-      : weights(planesOf(pixels)), raw(pixels), shown(pixels), rest(pixels), importance(pixels) {}
+  explicit LightAtHand(std::size_t pixels) : raw(pixels), shown(pixels), rest(pixels), importance(pixels) {}
 };
 
 /// What the halves are: even and odd passes, or, of a film that has only one half, the two colours of a chessboard.
@@ -35,14 +46,13 @@ enum class HalvesBy { passes, chessboard };
 
 /// A scale of it.
 struct ScaleAtHand {
-  Halves sums;  // of light times weights, smoothed
-  Planes sumOfWeights;
+  Halves sums;          // of light times weights, smoothed
   Halves fine, detail;  // what is left to be smoothed, and what this scale takes away from it
   HalfStatistics statistics;
   Plane near;  // share of light in the smaller window
 
   explicit ScaleAtHand(std::size_t pixels)
-      : sums(pixels), sumOfWeights(planesOf(pixels)), fine(pixels), detail(pixels), statistics(pixels), near(pixels) {}
+      : sums(pixels), fine(pixels), detail(pixels), statistics(pixels), near(pixels) {}
 };
 
 /// Smooths irradiance (light over its modulation) scale by scale over pixels that see the same surface, and leaves of
@@ -52,15 +62,15 @@ struct ScaleAtHand {
 /// of the surfaces beside them.
 class LightFilter {
  public:
-  /// `halves`: even passes, then odd ones, each width · height pixels; at least a sample in each half. By chessboard
-  /// both are the same. They stay where they are.
+  /// `halves`: even passes, then odd ones, each width · height pixels; at least a sample in each half.
   LightFilter(std::span<const FilmPixel> halves, int width, const SampleCounts& counts, int threads,
               HalvesBy halvesBy = HalvesBy::passes);
-  /// Of direct, caustic or indirect light. Emitted light is not shared.
-  [[nodiscard]] LightOfHalves clean(vec3 FilmPixel::*light);
+  /// Of a part of the light. By chessboard both halves of it are the same.
+  [[nodiscard]] LightOfHalves clean(const LightOfHalves& light, OnEdges onEdges);
 
  private:
-  void readRaw(vec3 FilmPixel::*light);
+  void weighLight(std::span<const FilmPixel> halves, const SampleCounts& counts);
+  void readRaw(const LightOfHalves& light);
   void splitByChessboard();
   void cleanRaw();
   void goThrough(const Halves& light, bool isFirst);
@@ -69,14 +79,13 @@ class LightFilter {
   template <class Body>
   void forPixels(const Body& body) const;
 
-  std::span<const FilmPixel> film_;
-  SampleCounts counts_;
+  float evenShare_;
   int threads_;
   HalvesBy halvesBy_;
   std::size_t pixels_;
   SurfaceGuides guides_;
   SurfaceSmoother smoother_;
-  Planes modulation_;  // means of both halves
+  LightWeights weights_;
   LightAtHand light_;
   ScaleAtHand scale_;
 };
