@@ -116,6 +116,7 @@ RenderResult runOnce(const ConvergePlan& plan, const ConvergeConfig& config, std
   job.seconds = plan.budgets.back();
   job.passes.reset();
   job.error.reset();
+  job.aovs = {"N", "P", "direct"};  // show plain surfaces
   const auto start =
       Clock::now() - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(plan.loadSeconds));
   return render(
@@ -153,7 +154,9 @@ ConvergeReport converge(const ConvergePlan& plan, const Scene& scene, const Imag
       report.deviceName = rendered.stats.deviceName;
       report.deviceDriver = rendered.stats.deviceDriver;
       ConvergeRun run{number, {}, rendered.stats.devicePeakBytes, rendered.stats.photonMapBytes};
+      const PlainSurfaces plain = findPlainSurfaces(rendered.image, rendered.image);
       for (auto& [point, image] : watch.take(rendered)) {
+        point.band = bandError(image, reference, plain);
         run.points.push_back(point);
         splits[point.budget].add(image);
         if (seed == 1) result.image = std::move(image);

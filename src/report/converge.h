@@ -9,6 +9,7 @@
 #include "render/render_job.h"
 #include "report/compare.h"
 #include "report/error_statistics.h"
+#include "report/plain_surfaces.h"
 #include "scene/scene.h"
 
 namespace importon {
@@ -33,6 +34,7 @@ struct ConvergePoint {
   int passes = 0;
   std::uint64_t photonsEmitted = 0, photonsStored = 0;  // sums over passes
   ValueErrors errors;
+  BandError band = {};
 };
 
 struct ConvergeRun {

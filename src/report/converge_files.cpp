@@ -14,6 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double kPercent = 100;
+
 Json optionalJson(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 Json intervalJson(const Interval& interval) {
@@ -30,7 +32,9 @@ Json pointJson(const ConvergePoint& point) {
           {"relmse_trimmed", point.errors.relmseTrimmed},
           {"smape", point.errors.smape},
           {"rmse", point.errors.rmse},
-          {"mean_ratio", point.errors.meanRatio}};
+          {"mean_ratio", point.errors.meanRatio},
+          {"band_rms", kPercent * point.band.rms},
+          {"band_p99", kPercent * point.band.p99}};
 }
 
 Json runJson(const ConvergeRun& run) {
@@ -97,14 +101,15 @@ std::string convergeJson(const ConvergeTitle& title, const ConvergeReport& repor
 std::string convergeCsv(const ConvergeReport& report) {
   std::string text =
       "config,seed,budget,seconds,passes,photons_emitted,photons_stored,device_peak_bytes,photon_map_bytes,relmse,"
-      "relmse_trimmed,smape,rmse,mean_ratio\n";
+      "relmse_trimmed,smape,rmse,mean_ratio,band_rms,band_p99\n";
   for (const ConvergeResult& result : report.results) {
     for (const ConvergeRun& run : result.runs) {
       for (const ConvergePoint& point : run.points) {
-        text += fmt::format("{},{},{},{:.6g},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", result.config.name,
+        text += fmt::format("{},{},{},{:.6g},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", result.config.name,
                             run.seed, point.budget, point.seconds, point.passes, point.photonsEmitted,
                             point.photonsStored, run.devicePeakBytes, run.photonMapBytes, point.errors.relmse,
-                            point.errors.relmseTrimmed, point.errors.smape, point.errors.rmse, point.errors.meanRatio);
+                            point.errors.relmseTrimmed, point.errors.smape, point.errors.rmse, point.errors.meanRatio,
+                            kPercent * point.band.rms, kPercent * point.band.p99);
       }
     }
   }

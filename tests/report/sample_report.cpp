@@ -19,9 +19,10 @@ ConvergeReport sampleReport() {
     for (const std::uint32_t seed : {1u, 2u}) {
       ConvergeRun run{seed, {}, 2000000, 1000000};
       for (const double budget : {1.0, 2.0, 4.0}) {
-        ConvergePoint point{budget, budget, static_cast<int>(10 * budget), 1000, 500, {}};
+        ConvergePoint point{budget, budget, static_cast<int>(10 * budget), 1000, 500, {}, {}};
         point.errors.relmse = point.errors.relmseTrimmed = factor * 0.16 / (budget * budget);
         point.errors.smape = point.errors.rmse = 0.1 / budget;
+        point.band = {0.02 / budget, 0.04 / budget, 0.06 / budget, 2};
         run.points.push_back(point);
       }
       result.runs.push_back(run);
