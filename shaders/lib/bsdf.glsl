@@ -19,8 +19,9 @@ vec3 evalClearMissed(Bsdf b, float cosine, float missedIn) {
   const bool isBack = cosine > 0.0;
   const float missed = b.isThin ? missedIn : 1.0 - glassAlbedo(abs(cosine), b.alpha, isBack ? b.eta : 1.0 / b.eta);
   const float share = missed * b.clear * b.clearMissOut;
-  return isBack ? vec3(share * b.clearMissBack / max(b.clearMissMean.x, 1e-6))
-                : b.tint * (share * (1.0 - b.clearMissBack) / max(b.clearMissMean.y, 1e-6));
+  if (isBack) return vec3(share * b.clearMissBack / max(b.clearMissMean.x, 1e-6));
+  const vec3 passed = b.tint * (share * (1.0 - b.clearMissBack) / max(b.clearMissMean.y, 1e-6));
+  return kHasSheets && b.isThin ? passed * sheetCrossed(b, kDiffuseCosine) : passed;
 }
 
 /// What takes back the scaling by the squared relative index, which light that passes diffusely does not have: paths
@@ -91,7 +92,7 @@ vec3 evalTransmission(Bsdf b, vec3 wo, vec3 wi, out float pdf) {
     const float d = distribution(b, h);
     const float cosH = max(dot(wo, h), 0.0);
     pdf = masking(b, wo) * d * (1.0 - reflectShare(b, cosH)) / (4.0 * wo.z);
-    const vec3 passed = b.clear * (1.0 - clearFresnel(b, cosH));
+    const vec3 passed = b.clear * clearPassed(b, cosH);
     return b.tint * (passed * d * maskingShadowing(b, wo, mirrored) / (4.0 * wo.z));
   }
   vec3 h = normalize(-(wo + b.eta * wi));
@@ -102,7 +103,7 @@ vec3 evalTransmission(Bsdf b, vec3 wo, vec3 wi, out float pdf) {
   const float jacobian = b.eta * b.eta * abs(cosIn) / max(root * root, 1e-30);
   const float d = distribution(b, h);
   pdf = pdfMicrofacet(b, wo, h) * jacobian * (1.0 - reflectShare(b, cosOut));
-  const vec3 passed = b.clear * (1.0 - clearFresnel(b, cosOut));
+  const vec3 passed = b.clear * clearPassed(b, cosOut);
   return b.tint * (passed * d * maskingShadowing(b, wo, vec3(wi.xy, -wi.z)) * cosOut * jacobian / wo.z);
 }
 
@@ -153,7 +154,7 @@ bool refractLocal(vec3 wo, vec3 h, float eta, out vec3 wi) {
 /// Weight of a delta lobe, chosen with `probability`.
 vec3 deltaWeight(Bsdf b, vec3 wo, vec3 wi, bool isCoat, float probability) {
   if (kHasClearcoat && isCoat) return vec3(b.coat.turnedOut * coatAdjoint(b.coat, b.coat.cosOut, wo, wi) / probability);
-  const vec3 f = wi.z > 0.0 ? bsdfFresnel(b, wo.z) : b.tint * (b.clear * (1.0 - clearFresnel(b, wo.z)));
+  const vec3 f = wi.z > 0.0 ? bsdfFresnel(b, wo.z) : b.tint * (b.clear * clearPassed(b, wo.z));
   float passed = kHasClearcoat && b.coat.share > 0.0 ? coatPassed(b.coat, wi, b.isThin) : 1.0;
   if (hasSheen(b)) passed *= sheenPassed(b.sheen, abs(wi.z));
   return f * (passed / max(probability, 1e-30));

@@ -30,6 +30,7 @@ struct Bsdf {
   vec3 tint;          // of transmitted light
   float eta;          // refractive index behind over index in front, seen from the ray's side
   bool isThin;        // transmission goes straight on
+  vec3 sheetDepth;    // optical thickness of a thin surface, across it
   vec3 missed;        // of light that the microfacets scatter more than once, the share that metal and interface return
   float missOut;      // share of light along wo that is scattered more than once, over the mean of all directions
   vec2 clearMissMean; // the clear dielectric: mean of that share on the ray's side and behind
@@ -50,9 +51,20 @@ struct Bsdf {
   float pCosine, pInterface, pBelow, pSheen, pCoat;  // of choosing a lobe; sum 1, or all 0 for a black surface
 };
 
+/// Share of light that crosses a sheet once, inside, where it meets it at this cosine. [Beer's law]
+vec3 sheetCrossed(Bsdf b, float cosine) {
+  const float inside2 = 1.0 - (1.0 - cosine * cosine) / (b.eta * b.eta);
+  return exp(-b.sheetDepth / sqrt(max(inside2, 1e-6)));
+}
+
+const float kDiffuseCosine = 2.0 / 3.0;  // the mean cosine of diffuse light
+const float kDiffuseWay = 1.66;  // of diffuse light through a layer, in thicknesses [Elsasser 1942]
+
 /// Reflectance of the clear dielectric: Fresnel's, moved so that its values at normal and at grazing incidence are
-/// those of KHR_materials_specular. Total reflection stays total.
-vec3 clearFresnel(Bsdf b, float cosine) {
+/// those of KHR_materials_specular. Total reflection stays total. `passed`: share of light that goes on. Of thin
+/// surfaces both are sums over all reflections inside, between two interfaces that reflect alike.
+vec3 clearShares(Bsdf b, float cosine, out vec3 passed) {
+  passed = vec3(0.0);
   const float exact = fresnelDielectric(cosine, b.eta);
   if (exact >= 1.0) return vec3(1.0);
   vec3 single = b.clearF90 * exact + b.clearShift * (1.0 - exact);
@@ -60,7 +72,25 @@ vec3 clearFresnel(Bsdf b, float cosine) {
     const float cosOutside = b.eta >= 1.0 ? cosine : sqrt(1.0 - (1.0 - cosine * cosine) / (b.eta * b.eta));
     single = mix(single, filmReflectance(b.film, b.filmDielectric, cosOutside), b.film.share);
   }
-  return b.isThin ? 2.0 * single / (1.0 + single) : single;  // thin: all inner reflections
+  if (kHasSheets && b.isThin && maxComponent(b.sheetDepth) > 0.0) {
+    const vec3 crossed = sheetCrossed(b, cosine), there = single * crossed;
+    passed = (1.0 - single) * (1.0 - single) * crossed / max(1.0 - there * there, 1e-6);
+    return single + passed * there;
+  }
+  const vec3 reflected = b.isThin ? 2.0 * single / (1.0 + single) : single;
+  passed = 1.0 - reflected;
+  return reflected;
+}
+
+vec3 clearFresnel(Bsdf b, float cosine) {
+  vec3 passed;
+  return clearShares(b, cosine, passed);
+}
+
+vec3 clearPassed(Bsdf b, float cosine) {
+  vec3 passed;
+  clearShares(b, cosine, passed);
+  return passed;
 }
 
 bool isIridescent(Bsdf b) { return kHasIridescence && b.film.share > 0.0; }
@@ -86,9 +116,10 @@ vec3 bsdfFresnel(Bsdf b, float cosine) {
 /// cosine.
 float reflectShare(Bsdf b, float cosine) {
   if (!kHasTransmission || b.clear <= 0.0) return 1.0;
-  const vec3 clear = clearFresnel(b, cosine);
+  vec3 through;
+  const vec3 clear = clearShares(b, cosine, through);
   const float reflected = mean(opaqueFresnel(b, cosine) + b.clear * clear);
-  const float passed = b.clear * mean((1.0 - clear) * b.tint);
+  const float passed = b.clear * mean(through * b.tint);
   return reflected + passed > 0.0 ? reflected / (reflected + passed) : 1.0;
 }
 
@@ -184,7 +215,7 @@ void chooseLobes(inout Bsdf b, float cosOut, vec2 albedoOut) {
   }
   if (kHasTransmission && b.clear > 0.0) {
     const float passed = b.clear * mean(b.tint);
-    b.pInterface += b.clear * mean(b.tint * (1.0 - clearFresnel(b, cosOut)));
+    b.pInterface += b.clear * mean(b.tint * clearPassed(b, cosOut));
     if (!b.isSmooth) {
       b.pCosine += b.clear * b.clearMissOut * b.clearMissBack;
       b.pBelow += passed * b.clearMissOut * (1.0 - b.clearMissBack);
@@ -255,6 +286,7 @@ Bsdf makeBsdf(Surface s, float cosOut) {
   }
   b.isSmooth = true;
   b.isAdjoint = false;
+  b.sheetDepth = vec3(0.0);
   b.coat = noCoat();
   b.sheen = noSheen();
   b.pInterface = b.pBelow = b.pSheen = b.pCoat = 0.0;
@@ -271,6 +303,10 @@ Bsdf makeBsdf(Surface s, float cosOut) {
   b.tint = s.baseColor;
   b.isThin = (s.flags & kMaterialSolid) == 0u;
   b.eta = s.isFront || b.isThin ? s.ior : 1.0 / s.ior;
+  if (kHasSheets && b.isThin) {
+    b.sheetDepth = s.sheetDepth;
+    b.below *= exp(-kDiffuseWay * s.sheetDepth);
+  }
   makeRoughness(b, s);
   addFilm(b, s, metal, opaque, f0);
   b.missed = vec3(0.0);

@@ -45,6 +45,7 @@ struct Surface {
   float dispersion;      // KHR_materials_dispersion
   vec3 emission;         // W/(m² sr)
   vec3 absorption;       // 1/m, of the solid behind the surface
+  vec3 sheetDepth;       // optical thickness of a sheet, across it
 };
 
 /// Unit normal of the front (counter-clockwise) side.
@@ -103,7 +104,7 @@ SurfaceTextures noTextures() {
 }
 
 const bool kHasLayers = kHasDiffuseTransmission || kHasSheen || kHasAnisotropy || kHasIridescence || kHasDispersion ||
-                        kHasThicknessTextures;
+                        kHasThicknessTextures || kHasSheets;
 const bool kHasLayerTextures = kHasTextures && kHasLayers;
 
 /// Of texture k, counted from 0 in those texels.
@@ -240,6 +241,7 @@ void loadLayers(inout Surface s, uint base, SurfaceTextures t, vec4 tangent, vec
   }
   if (kHasDispersion) s.dispersion = m12.z;
   if (kHasThicknessTextures && t.thickness <= 0.0) s.flags &= ~kMaterialSolid;
+  if (kHasSheets && (s.flags & kMaterialSolid) == 0u) s.sheetDepth = s.absorption * (m12.w * t.thickness);
 }
 
 /// The surface that a ray of `direction` (unit) met at barycentric weights (u, v) of `triangle`.
@@ -322,6 +324,7 @@ Surface loadSurface(uint triangle, vec2 uvWeights, vec3 direction) {
   s.frame = frameAround(s.shadingNormal);
   s.backwards = -direction;
   s.mapNormal = s.geometricNormal;
+  s.sheetDepth = vec3(0.0);
   if (kHasLayers) loadLayers(s, base, t, tangent, normal);
   s.canEmit = (s.flags & kMaterialEmissive) != 0u && (s.isFront || (s.flags & kMaterialDoubleSided) != 0u);
   s.specularColor = specularColor;

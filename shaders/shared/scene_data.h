@@ -75,7 +75,7 @@ struct Material {
   float iridescenceThicknessMinimum;     // nm, where the thickness texture is 0
   float iridescenceThicknessMaximum;     // nm, where it is 1, or there is none
   float dispersion;                      // KHR_materials_dispersion: 20 over the Abbe number
-  float thickness;                       // KHR_materials_volume thicknessFactor, m
+  float thickness;                       // KHR_materials_volume thicknessFactor, m; of a sheet where flags say no solid
   uint diffuseTransmissionTexture;       // a
   uint diffuseTransmissionColorTexture;  // rgb, sRGB
   uint sheenColorTexture;                // rgb, sRGB
@@ -115,19 +115,21 @@ SHARED_CONST uint kLightPoint = 1u;
 SHARED_CONST uint kLightSpot = 2u;
 SHARED_CONST uint kLightDirectional = 3u;
 SHARED_CONST uint kLightEnvironment = 4u;
+SHARED_CONST uint kLightProfile = 5u;
 
 /// One light. glTF's candela and lux are taken as W/sr and W/m² per channel.
 struct Light {
   uint kind;
-  uint triangle;   // kLightTriangle: index of the emissive triangle
-  float power;     // W, mean of the channels: what it emits in all; weight for choosing lights
-  float area;      // m², of one side
-  vec3 emission;   // triangle: mean radiance W/(m² sr); point, spot: W/sr; directional: W/m²; environment: W/(m² sr)
-  vec3 position;   // point, spot; triangle: its centroid
-  float cosInner;  // spot
-  vec3 direction;  // spot, directional: where the light goes; triangle: normal of the front; unit length
-  float cosOuter;  // spot
-  uint isTwoSided;  // triangle: 1 if both sides emit
+  uint triangle;    // kLightTriangle: index of the emissive triangle; profile: of the texture of its shares
+  float power;      // W, mean of the channels: what it emits in all; weight for choosing lights
+  float area;       // m², of one side; profile: angle of the lamp's x in the frame around `direction`, rad
+  vec3 emission;    // triangle: mean radiance W/(m² sr); point, spot: W/sr; profile: the greatest, W/sr; directional:
+                    // W/m²; environment: W/(m² sr)
+  vec3 position;    // point, spot, profile; triangle: its centroid
+  float cosInner;   // spot
+  vec3 direction;   // spot, profile, directional: where the light goes; triangle: normal of the front; unit length
+  float cosOuter;   // spot, profile: no light beyond
+  uint isTwoSided;  // triangle: 1 if both sides emit; profile: 1 if it is mirrored
 };
 
 SHARED_END

@@ -12,6 +12,7 @@
 #include "scene/images/gltf_image.h"
 #include "scene/lights.h"
 #include "scene/materials/gltf_material.h"
+#include "scene/materials/sheets.h"
 #include "scene/materials/specular_glossiness.h"
 #include "scene/meshes/draco_mesh.h"
 #include "scene/meshes/mesh_library.h"
@@ -137,6 +138,7 @@ Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem
   MaterialSet set = readUsedMaterials(document, instances, log);
   for (MeshInstance& instance : instances) instance.material = sceneMaterial(set, *instance.part);
   completeAttributes(library, set, document.source.name(), log);
+  useSheets(instances, set);
 
   Scene scene;
   scene.file = name;

@@ -36,7 +36,7 @@ struct Scene {
   std::vector<vec3> positions;   // per vertex, render space
   std::vector<Vertex> vertices;  // same length as positions
   std::vector<Triangle> triangles;
-  std::vector<Material> materials;  // at least one: the glTF default material stands last if it is used
+  std::vector<Material> materials;  // at least one: the glTF default material stands behind those of the file
   std::vector<std::string> materialNames;
   std::vector<Texture> textures;
   std::vector<uint> texels;           // RGBA8, or RGBA16 (Texture::isDeep)

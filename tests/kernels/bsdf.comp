@@ -40,6 +40,7 @@ struct Query {
   float iridescence;
   float filmIor;
   float filmThickness;
+  vec3 sheetDepth;
 };
 struct Answer {
   vec3 value;  // BSDF · |cosine| of (wo, wi)
@@ -82,6 +83,7 @@ Surface surfaceOf(Query q) {
   s.iridescence = q.iridescence;
   s.filmIor = q.filmIor;
   s.filmThickness = q.filmThickness;
+  s.sheetDepth = q.sheetDepth;
   return s;
 }
 

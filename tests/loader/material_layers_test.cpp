@@ -114,7 +114,7 @@ TEST(MaterialLayers, RefuseFactorsOutOfRange) {
   const auto error = [](const std::string& extension, const std::string& key, const Json& value) {
     GltfBuilder builder = GltfBuilder::emissiveTriangle();
     builder.json["materials"][0]["extensions"][kLayers + extension][key] = value;
-    return errorOf(builder);
+    return errorOf(builder, kStrict);
   };
   const auto names = [](const std::string& text, const std::string& key) { return text.find(key) != text.npos; };
   EXPECT_TRUE(names(error("diffuse_transmission", "diffuseTransmissionFactor", -1), "/diffuseTransmissionFactor"));

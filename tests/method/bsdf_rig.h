@@ -31,6 +31,7 @@ struct Query {
   float sheenAlpha = 1;
   vec2 stretch{0};
   float iridescence = 0, filmIor = 1.3f, filmThickness = 400;
+  vec3 sheetDepth{0};
 };
 struct Answer {
   vec3 value;

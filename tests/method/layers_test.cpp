@@ -49,6 +49,12 @@ Query thin(Query material) {
   return material;
 }
 
+/// A sheet of this optical thickness.
+Query absorbing(Query material, const vec3& depth) {
+  material.sheetDepth = depth;
+  return material;
+}
+
 class LayersTest : public BsdfTest {};
 
 std::vector<Case> layered() {
@@ -63,6 +69,9 @@ std::vector<Case> layered() {
       {"stretched glass", stretched(roughGlass(true), 0.5f, 0.3f)},
       {"film over metal", thin(filmed(rough(0.5f, 1), 400))},
       {"film over glass", filmed(roughGlass(false), 300, 1.8f)},
+      {"rough sheet that absorbs", absorbing(thin(roughGlass(true)), vec3(0.2f, 1, 3))},
+      {"sheet that lets light pass diffusely, too",
+       absorbing(thin(translucent(roughGlass(true), 0.5f)), vec3(0.2f, 1, 3))},
       {"all, coated",
        thin(coated(sheened(stretched(filmed(translucent(rough(0.5f, 0.3f), 0.4f), 500), 0.6f), blue, 0.4f), 0.3f))}};
 }
@@ -138,6 +147,24 @@ TEST_F(LayersTest, DiffuseTransmissionTakesItsShareAndHasItsColor) {
     const double passed = 0.75 * static_cast<double>(sheet.diffuseTransmissionColor[c]);
     EXPECT_TRUE(liesWithin(above, 0.25 * 0.8 - 1e-3, 0.25 * 0.8 + 1e-3));
     EXPECT_TRUE(liesWithin(below, passed - 1e-3, passed + 1e-3));
+  }
+}
+
+// What a sheet absorbs is missing, and no more; one that absorbs nothing is thin.
+TEST_F(LayersTest, SheetsKeepWhatTheyDoNotAbsorb) {
+  for (const float roughness : {0.0f, 0.3f, 1.0f}) {
+    Query clear = thin(white(rough(roughness, 0))), half = clear;
+    clear.transmission = 1;
+    half.transmission = 0.5f;
+    for (const Query& sheet : {clear, half, translucent(half, 0.5f)}) {
+      for (const float cosine : {1.0f, 0.5f, 0.1f}) {
+        const vec3 wo(std::sqrt(1 - cosine * cosine), 0, cosine);
+        const std::vector<test::Moments> light = furnaces(absorbing(sheet, vec3(0, 0.5f, 50)), wo);
+        EXPECT_TRUE(liesWithin(light[0], 1 - kTable, 1 + kTable)) << roughness << ' ' << cosine;
+        EXPECT_TRUE(liesWithin(light[1], 0, 0.98)) << roughness << ' ' << cosine;
+        EXPECT_LT(light[2].mean(), light[1].mean()) << roughness << ' ' << cosine;
+      }
+    }
   }
 }
 

@@ -19,6 +19,8 @@ class Smooth : public RenderTest, public ::testing::WithParamInterface<Integrato
   }
 };
 
+class Window : public RenderTest {};
+
 /// An emitter of radiance 1, across the whole view of a camera with a narrow field.
 SceneBuilder brightWall() {
   SceneBuilder builder;
@@ -54,6 +56,58 @@ TEST_P(Smooth, SolidSlabAbsorbsByItsThickness) {
   const double through = std::exp(-kPerMetre * kThickness), there = kReflectance * through;
   EXPECT_TRUE(isWithin(0.02, momentsOf(valuesOf(renderImage(builder.finish(), 64))),
                        (1 - kReflectance) * (1 - kReflectance) * through / (1 - there * there)));
+}
+
+/// Share of light that passes a sheet of this optical thickness at a cosine, and all its inner reflections: by the way
+/// inside, which Snell's law bends, and twice Fresnel's formula for unpolarised light.
+double sheetTransmittance(double depth, double cosine, double ior = 1.5) {
+  const double inside = std::sqrt(1 - (1 - cosine * cosine) / (ior * ior));
+  const double across = (cosine - ior * inside) / (cosine + ior * inside);
+  const double along = (ior * cosine - inside) / (ior * cosine + inside);
+  const double reflectance = (across * across + along * along) / 2;
+  const double through = std::exp(-depth / inside), there = reflectance * through;
+  return (1 - reflectance) * (1 - reflectance) * through / (1 - there * there);
+}
+
+Material absorbingSheet(float thickness, const vec3& absorption) {
+  Material material = thinGlass(1.5f);
+  material.thickness = thickness;
+  material.absorption = absorption;
+  return material;
+}
+
+TEST_P(Smooth, SheetsAbsorbByTheirThicknessAndTheWayThroughIt) {
+  const vec3 absorption(0.5f, 4, 0);
+  for (const double angle : {0.0, 1.0}) {
+    SceneBuilder builder = brightWall();
+    builder.square(builder.material(absorbingSheet(0.3f, absorption)), {0, 0, 0}, {std::sin(angle), 0, std::cos(angle)},
+                   4);
+    const Image image = renderImage(builder.finish(), 256);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_TRUE(isWithin(0.02, momentsOf(valuesOf(image, std::string(1, "RGB"[c]))),
+                           sheetTransmittance(0.3 * static_cast<double>(absorption[c]), std::cos(angle))))
+          << c << ' ' << angle;
+  }
+}
+
+/// Sunlight through a window of one plane onto a wall behind it, and back to the camera. The photon map's: no path
+/// finds the sun through a smooth window.
+TEST_F(Window, OfOnePlaneColorsTheLightThatItLetsIn) {
+  const vec3 absorption(16, 2, 0);
+  SceneBuilder builder;
+  builder.square(builder.material(diffuse(vec3(0.05f))), {0, 0, -2}, {0, 0, 1}, 4);
+  builder.square(builder.material(absorbingSheet(0.1f, absorption)), {0, 0, 0}, {0, 0, 1}, 6);
+  builder.directionalLight({0, 0, -1}, vec3(glm::pi<float>()));
+  builder.camera({0, 0, 2}, {0, 0, 0}, 0.2, kSize, kSize);
+  RenderJob job = makeJob(Integrator::photon, 1);
+  job.photons = 1u << 16;
+  const auto light = overSeeds(job, builder.finish(), 8, [](const Rendered& r) {
+    return std::vector<double>{meanOf(r.image, "R"), meanOf(r.image, "G"), meanOf(r.image, "B")};
+  });
+  for (int c = 0; c < 3; ++c) {
+    const double once = sheetTransmittance(0.1 * static_cast<double>(absorption[c]), 1);
+    EXPECT_TRUE(isWithin(0.03, light[static_cast<std::size_t>(c)], 0.05 * once * once)) << c;
+  }
 }
 
 /// Share of light that passes a row of interfaces with these relative indices at normal incidence, all inner

@@ -78,6 +78,27 @@ std::vector<float> imageOf(const Material& material, const std::vector<uint>& te
   return all;
 }
 
+/// A sheet is as thick as the texture's green says; where that is 0 it is thin, and absorbs nothing.
+TEST_F(LayerTextures, TellHowThickASheetIs) {
+  Material sheet = layered();
+  sheet.flags = 0;
+  sheet.thickness = 2;
+  Material half = sheet, thin = sheet;
+  half.thickness *= 0x80 / 255.0f;
+  thin.thickness = 0;
+  const std::vector<float> plain = imageOf(sheet, {});
+  sheet.thicknessTexture = 0;
+  for (const auto& [texel, same] : {std::pair{0xFFFF00FFu, thin}, std::pair{0x000080FFu, half}}) {
+    const std::vector<float> found = imageOf(sheet, {texel}), expected = imageOf(same, {});
+    double difference = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      ASSERT_NEAR(found[i], expected[i], 1e-3f * expected[i] + 1e-5f) << texel;
+      difference += std::abs(static_cast<double>(found[i] - plain[i]));
+    }
+    EXPECT_GT(difference, 1e-3) << texel;
+  }
+}
+
 TEST_F(LayerTextures, ReadTheirChannels) {
   const std::vector<float> plain = imageOf(layered(), {});
   for (const Channels& c : channels()) {

@@ -108,6 +108,23 @@ Material flint() {
   return material;
 }
 
+/// A bubble of coloured glass of one surface over a floor, which its shadow colours; smooth or rough.
+void addBubble(SceneBuilder& builder, float roughness, float diffuseShare) {
+  Material sheet = glass(1.5f, vec3(4, 1, 8));
+  sheet.flags = kMaterialDoubleSided;
+  sheet.thickness = 0.2f;
+  sheet.roughness = roughness;
+  sheet.transmission = 1 - diffuseShare;
+  sheet.diffuseTransmission = diffuseShare;
+  builder.square(white(builder), {0, 0, 0}, {0, 1, 0}, 6);
+  builder.uvSphere(builder.material(sheet), {0, 1, 0}, 0.7, 8, 12, Facing::outside, Shading::flat);
+  addLight(builder, {0.3, 2.5, -0.4}, {0, -1, 0}, 2);
+  builder.camera({0, 1, 4}, {0, 0.4, 0}, 0.4, kSize, kSize);
+}
+void buildSmoothBubble(SceneBuilder& builder) { addBubble(builder, 0, 0); }
+void buildRoughBubble(SceneBuilder& builder) { addBubble(builder, 0.4f, 0); }
+void buildPaperBubble(SceneBuilder& builder) { addBubble(builder, 0.6f, 0.8f); }
+
 void buildDispersion(SceneBuilder& builder) {
   builder.square(white(builder), {0, 0, 0}, {0, 1, 0}, 12);
   builder.box(builder.material(flint()), {-2, 1.7, -2}, {2, 2, 2}, Facing::outside);
@@ -170,6 +187,9 @@ INSTANTIATE_TEST_SUITE_P(Of, LayeredPaths,
                                            Layered{"Sheen", buildSheen, 1024, 256, 14, false},
                                            Layered{"Anisotropy", buildAnisotropy, 1024, 256, 14, false, true},
                                            Layered{"Iridescence", buildIridescence, 1024, 1024, 14, false},
+                                           Layered{"SmoothBubble", buildSmoothBubble, 2048, 512, 17, false},
+                                           Layered{"RoughBubble", buildRoughBubble, 2048, 512, 17, false},
+                                           Layered{"PaperBubble", buildPaperBubble, 2048, 512, 17, false},
                                            Layered{"Dispersion", buildDispersion, 2048, 256, 18, false},
                                            Layered{"DispersingBall", buildDispersingBall, 16384, 1024, 17, false}),
                          [](const auto& test) { return test.param.name; });

@@ -76,6 +76,12 @@ bool absorbs(const Material& m) {
   return (m.flags & kMaterialSolid) != 0 && transmits(m) && glm::any(glm::greaterThan(m.absorption, vec3(0)));
 }
 
+/// An open surface with a volume.
+bool isAbsorbingSheet(const Material& m) {
+  const bool absorbs = glm::any(glm::greaterThan(m.absorption, vec3(0)));
+  return (m.flags & kMaterialSolid) == 0 && m.thickness > 0 && transmits(m) && absorbs;
+}
+
 bool disperses(const Material& m) { return (m.flags & kMaterialSolid) != 0 && m.transmission > 0 && m.dispersion > 0; }
 
 bool needsCaustics(const Scene& scene, const RenderJob& job) {
@@ -157,6 +163,9 @@ const std::array kFeatures{
     FeatureEntry{"thickness textures", &F::hasThicknessTextures, kSpecHasThicknessTextures, kScene,
                  [](S scene, J) { return anyMaterial(scene, [](M m) { return m.thicknessTexture != kNone; }); },
                  "a volume has a thickness texture", "no volume has a thickness texture"},
+    FeatureEntry{"sheets", &F::hasSheets, kSpecHasSheets, kScene,
+                 [](S scene, J) { return anyMaterial(scene, isAbsorbingSheet); },
+                 "an open surface absorbs by its thickness", "no open surface absorbs by its thickness"},
     FeatureEntry{"area lights", &F::hasTriangleLights, kSpecHasTriangleLights, kScene,
                  [](S scene, J) { return anyLight(scene, [](uint kind) { return kind == kLightTriangle; }); },
                  "a triangle emits", "no triangle emits"},
@@ -168,7 +177,10 @@ const std::array kFeatures{
                    return anyLight(scene,
                                    [](uint kind) { return kind != kLightTriangle && kind != kLightEnvironment; });
                  },
-                 "there is a point, spot or directional light", "there is no punctual light"},
+                 "there is a point, spot, profile or directional light", "there is no punctual light"},
+    FeatureEntry{"light profiles", &F::hasLightProfiles, kSpecHasLightProfiles, kScene,
+                 [](S scene, J) { return anyLight(scene, [](uint kind) { return kind == kLightProfile; }); },
+                 "a light has a photometric profile", "no light has a photometric profile"},
     FeatureEntry{"environment", &F::hasEnvironment, kSpecHasEnvironment, kScene,
                  [](S scene, J) { return anyLight(scene, [](uint kind) { return kind == kLightEnvironment; }); },
                  "the scene has an environment", "the scene has no environment"},

@@ -136,6 +136,18 @@ unsigned uvSetsOf(const Material& material, const std::vector<Texture>& textures
   return sets;
 }
 
+bool boundsVolume(const GltfDocument& document, int material) {
+  if (material < 0) return false;
+  const Json& extensions =
+      member(element(member(document.json, "materials"), static_cast<std::size_t>(material)), "extensions");
+  const auto isAbove0 = [&](const char* extension, const char* key) {
+    return floatOr(member(extensions, extension), key, 0.0f) > 0;
+  };
+  return isAbove0("KHR_materials_volume", "thicknessFactor") &&
+         (isAbove0("KHR_materials_transmission", "transmissionFactor") ||
+          isAbove0("KHR_materials_diffuse_transmission", "diffuseTransmissionFactor"));
+}
+
 MaterialSet readMaterials(const GltfDocument& document, const std::vector<bool>& isUsed, Log& log) {
   MaterialSet set;
   set.materialOfFile.assign(isUsed.size(), kNone);

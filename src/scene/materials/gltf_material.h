@@ -31,6 +31,9 @@ struct MaterialSet {
 /// Which UV sets the textures of a material read: bit n for set n.
 [[nodiscard]] unsigned uvSetsOf(const Material& material, const std::vector<Texture>& textures);
 
+/// True if a material of the file lets light pass into a volume (KHR_materials_volume). `material`: -1 for none.
+[[nodiscard]] bool boundsVolume(const GltfDocument& document, int material);
+
 /// Reads the materials with isUsed[i]. Throws SceneError.
 [[nodiscard]] MaterialSet readMaterials(const GltfDocument& document, const std::vector<bool>& isUsed, Log& log);
 

@@ -193,6 +193,33 @@ uint duplicateVertex(MeshPart& part, uint vertex) {
   return static_cast<uint>(part.positions.size() - 1);
 }
 
+MeshPart partOf(const MeshPart& whole, const std::vector<uvec3>& triangles) {
+  MeshPart part;
+  part.material = whole.material;
+  part.jointSets.resize(whole.jointSets.size());
+  std::vector<uint> newIndex(whole.positions.size(), kNone);
+  const auto copy = [](auto& to, const auto& from, uint vertex) {
+    if (!from.empty()) to.push_back(from[vertex]);
+  };
+  const auto use = [&](uint vertex) {
+    if (newIndex[vertex] != kNone) return newIndex[vertex];
+    newIndex[vertex] = static_cast<uint>(part.positions.size());
+    copy(part.positions, whole.positions, vertex);
+    copy(part.normals, whole.normals, vertex);
+    copy(part.tangents, whole.tangents, vertex);
+    copy(part.uv0, whole.uv0, vertex);
+    copy(part.uv1, whole.uv1, vertex);
+    copy(part.colors, whole.colors, vertex);
+    for (std::size_t i = 0; i < whole.jointSets.size(); ++i) {
+      copy(part.jointSets[i].joints, whole.jointSets[i].joints, vertex);
+      copy(part.jointSets[i].weights, whole.jointSets[i].weights, vertex);
+    }
+    return newIndex[vertex];
+  };
+  for (const uvec3& t : triangles) part.triangles.emplace_back(use(t.x), use(t.y), use(t.z));
+  return part;
+}
+
 std::vector<MeshPart> readMesh(const GltfDocument& document, std::size_t mesh, const std::vector<double>& weights,
                                Log& log) {
   std::vector<MeshPart> parts;

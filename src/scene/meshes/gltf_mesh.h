@@ -26,10 +26,14 @@ struct MeshPart {
   std::vector<JointSet> jointSets;
   std::vector<uvec3> triangles;  // indices into the above, counter-clockwise front
   int material = -1;             // in the file; -1: the default material
+  bool isOpen = false;           // its material has a volume, but it encloses none (open_surfaces.h)
 };
 
 /// Appends a copy of a vertex, with all its attributes; returns its index.
 uint duplicateVertex(MeshPart& part, uint vertex);
+
+/// The part of these triangles alone, with the vertices that they use.
+[[nodiscard]] MeshPart partOf(const MeshPart& whole, const std::vector<uvec3>& triangles);
 
 /// Reads the primitives of a mesh with its morph targets applied at `weights`. Points and lines, and primitives without
 /// vertices, are passed over with a warning. Throws SceneError.

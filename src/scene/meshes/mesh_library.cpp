@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "base/error.h"
+#include "scene/materials/gltf_material.h"
+#include "scene/meshes/open_surfaces.h"
 #include "scene/nodes/gltf_instancing.h"
 
 namespace importon {
@@ -15,9 +17,11 @@ const std::vector<const MeshPart*>& MeshLibrary::partsOf(const tinygltf::Node& n
   const std::vector<double>& weights = node.weights.empty() ? document_.model.meshes[mesh].weights : node.weights;
   const auto [entry, isNew] = variants_.try_emplace({mesh, weights});
   if (isNew) {
-    for (MeshPart& part : readMesh(document_, mesh, weights, log_)) {
-      entry->second.push_back(&parts_.emplace_back(std::move(part)));
-    }
+    std::vector<MeshPart> parts = readMesh(document_, mesh, weights, log_);
+    std::vector<bool> hasVolume;
+    for (const MeshPart& part : parts) hasVolume.push_back(boundsVolume(document_, part.material));
+    splitOpenSurfaces(parts, hasVolume);
+    for (MeshPart& part : parts) entry->second.push_back(&parts_.emplace_back(std::move(part)));
   }
   return entry->second;
 }
