@@ -41,6 +41,15 @@ float spotFalloff(float cosInner, float cosOuter, float cosine) {
   return t * t;
 }
 
+/// Share of its greatest intensity that a light with a profile sends along a direction.
+float profileShare(Light light, vec3 direction) {
+  const vec3 local = direction * frameAround(light.direction);
+  const float around = dot(local.xy, local.xy) > 0.0 ? atan(local.y, local.x) - light.area : 0.0;
+  const float azimuth = light.isTwoSided != 0u ? around : -around;  // the lamp looks along its -z
+  const vec2 place = vec2(azimuth / (2.0 * kPi), acos(clamp(local.z, -1.0, 1.0)) / kPi);
+  return sampleTexture(light.triangle, place, place).r;
+}
+
 /// Irradiance that a light may bring to x, roughly: the weight of choosing it. Zero only where it brings none.
 float lightWeight(uint index, vec3 x) {
   const uvec4 t0 = lightTexel(4u * index), t1 = lightTexel(4u * index + 1u), t2 = lightTexel(4u * index + 2u);
@@ -55,6 +64,9 @@ float lightWeight(uint index, vec3 x) {
     return mean(uintBitsToFloat(t2.xyz)) * spotFalloff(uintBitsToFloat(t3.z), uintBitsToFloat(t3.w), cosine) /
            max(d2, 1e-30);
   }
+  if (kHasLightProfiles && kind == kLightProfile)
+    return mean(uintBitsToFloat(t2.xyz)) * profileShare(lightAt(index), -to * inversesqrt(max(d2, 1e-30))) /
+           max(d2, 1e-30);
   if (kind == kLightPoint) return power / (4.0 * kPi * max(d2, 1e-30));
   const bool isBehind = dot(to, uintBitsToFloat(t1.xyz)) > 0.0 && lightTexel(4u * index + 3u).y == 0u;
   if (isBehind) return 0.0;  // exact: all of the light lies in one plane
@@ -196,9 +208,10 @@ LightSample sampleLight(uint index, float probability, vec3 x, vec2 u) {
       s.target = light.position;
       s.distance = sqrt(d2);
       s.direction = to / s.distance;
-      const float falloff = light.kind == kLightSpot
-                                ? spotFalloff(light.cosInner, light.cosOuter, -dot(light.direction, s.direction))
-                                : 1.0;
+      float falloff = 1.0;
+      if (light.kind == kLightSpot)
+        falloff = spotFalloff(light.cosInner, light.cosOuter, -dot(light.direction, s.direction));
+      if (kHasLightProfiles && light.kind == kLightProfile) falloff = profileShare(light, -s.direction);
       s.radiance = light.emission * (falloff / (d2 * probability));
     }
   }
@@ -249,6 +262,9 @@ Emission emitFromLight(uint index, vec2 uPoint, vec2 uDirection, vec3 sceneCentr
       e.direction = frameAround(light.direction) * local;
       e.flux =
           light.emission * (spotFalloff(light.cosInner, light.cosOuter, local.z) * 2.0 * kPi * (1.0 - light.cosOuter));
+    } else if (kHasLightProfiles && light.kind == kLightProfile) {
+      e.direction = frameAround(light.direction) * sampleCone(uDirection, light.cosOuter);
+      e.flux = light.emission * (profileShare(light, e.direction) * 2.0 * kPi * (1.0 - light.cosOuter));
     } else {
       e.direction = sampleSphere(uDirection);
       e.flux = light.emission * (4.0 * kPi);

@@ -16,8 +16,8 @@ struct LightKind {
   const char* name;
 };
 constexpr std::array kLightKinds{LightKind{kLightTriangle, "triangle"}, LightKind{kLightPoint, "point"},
-                                 LightKind{kLightSpot, "spot"}, LightKind{kLightDirectional, "directional"},
-                                 LightKind{kLightEnvironment, "environment"}};
+                                 LightKind{kLightSpot, "spot"},         LightKind{kLightDirectional, "directional"},
+                                 LightKind{kLightProfile, "profile"},   LightKind{kLightEnvironment, "environment"}};
 
 std::size_t countLights(const Scene& scene, uint kind) {
   std::size_t count = 0;

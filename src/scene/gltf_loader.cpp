@@ -21,6 +21,7 @@
 #include "scene/nodes/gltf_image_light.h"
 #include "scene/nodes/gltf_light.h"
 #include "scene/nodes/gltf_nodes.h"
+#include "scene/nodes/gltf_profile_light.h"
 #include "scene/studio.h"
 
 namespace importon {
@@ -97,6 +98,7 @@ void addLights(const GltfDocument& document, std::span<const PlacedNode> nodes, 
   for (const Light& light : readPunctualLights(document, nodes, scene.worldFromRender, radius)) {
     scene.lights.push_back(light);
   }
+  addProfileLights(document, nodes, scene, log);
   if (const auto own = chooseEnvironment(document, options, log)) setEnvironment(scene, *own, options);
   scene.isInStudio = options.light == LightChoice::studio ||
                      (options.light == LightChoice::automatic && (isAsGoodAsUnlit(scene) || isGlowingModel(scene)));

@@ -109,6 +109,10 @@ float spotPower(const vec3& intensity, float cosInner, float cosOuter) {
   return boundedPower(2.0 * kPi * meanOf(intensity) * ((1.0 - inner) + (inner - cosOuter) / 3.0));
 }
 
+float profilePower(const vec3& intensity, double shareIntegral) {
+  return boundedPower(meanOf(intensity) * shareIntegral);
+}
+
 float directionalPower(const vec3& irradiance, float sceneRadius) {
   return boundedPower(meanOf(irradiance) * kPi * sceneRadius * sceneRadius);
 }

@@ -23,6 +23,10 @@ struct BoundingSphere {
 /// for the cosine c to its axis: the integral over the cone is 2 pi I ((1 - ci) + (ci - co) / 3).
 [[nodiscard]] float spotPower(const vec3& intensity, float cosInner, float cosOuter);
 
+/// W of a light that sends shares of its greatest `intensity`, W/sr, whose integral over all directions is
+/// `shareIntegral`, sr.
+[[nodiscard]] float profilePower(const vec3& intensity, double shareIntegral);
+
 /// W of parallel light of `irradiance` W/m² through the disc of the scene's bounding sphere: E pi r².
 [[nodiscard]] float directionalPower(const vec3& irradiance, float sceneRadius);
 

@@ -26,9 +26,15 @@ GltfBuilder everything() {
                                  {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0}}, {"rotation", 1}}}}}};
   material["normalTexture"] = {{"index", builder.addTexture(makeJpeg(8, 8, Bytes(192, 100)))}};
   material["extensions"]["KHR_materials_volume"] = {{"thicknessFactor", 1}, {"attenuationDistance", 2}};
+  material["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = 0.5;
   builder.json["extensions"]["KHR_lights_punctual"]["lights"] =
       Json::array({{{"type", "spot"}, {"spot", {{"outerConeAngle", 0.5}}}}});
   builder.addRoot({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}, {"rotation", {0, 0, 0, 1}}});
+  const std::string lamp =
+      "IES:LM-63-2019\nTILT=INCLUDE\n1 2 0 90 1 1\n1 -1 1 3 2 1 2 0 0 0 1 1 9\n0 45 90\n0 90\n9 8 1 9 7 2\n";
+  builder.json["extensions"]["EXT_lights_ies"]["lights"] =
+      Json::array({{{"bufferView", builder.addView(lamp.data(), lamp.size())}}});
+  builder.json["nodes"].back()["extensions"]["EXT_lights_ies"] = {{"light", 0}, {"multiplier", 0.5}};
   builder.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}}}});
   builder.addRoot({{"camera", 0}, {"children", {3}}});
   builder.add("nodes", {{"mesh", 0}, {"scale", {-1, 2, 1}}});

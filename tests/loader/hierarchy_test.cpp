@@ -129,5 +129,25 @@ TEST(Hierarchy, BearsAHundredThousandLevels) {
   EXPECT_EQ(glm::dvec3(scene.positions[0]) + scene.worldFromRender, glm::dvec3(0, 0, 7));
 }
 
+/// What moves stands where its node says, whatever an animation makes of it later.
+TEST(Hierarchy, AnimationsLeaveThePoseAtRest) {
+  GltfBuilder builder = GltfBuilder::emissiveTriangle();
+  builder.json["nodes"][0]["translation"] = {3, 0, 0};
+  const int times = builder.addAccessor(std::vector<float>{0, 1}, kFloat, "SCALAR");
+  const int places = builder.addPositions({{7, 0, 0}, {8, 0, 0}});
+  const int colors = builder.addAccessor(std::vector<glm::vec4>(2), kFloat, "VEC4");
+  const Json pointer = {{"pointer", "/materials/0/emissiveFactor"}};
+  builder.json["extensionsUsed"] = {"KHR_animation_pointer"};
+  builder.json["extensionsRequired"] = {"KHR_animation_pointer"};
+  builder.json["animations"] = {
+      {{"samplers", {{{"input", times}, {"output", places}}, {{"input", times}, {"output", colors}}}},
+       {"channels",
+        {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}},
+         {{"sampler", 1}, {"target", {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", pointer}}}}}}}}}};
+  const Scene scene = load(builder);
+  EXPECT_EQ(scene.positions[0].x + static_cast<float>(scene.worldFromRender.x), 3);
+  EXPECT_EQ(scene.materials[0].emission, vec3(1, 2, 3));
+}
+
 }  // namespace
 }  // namespace importon::test

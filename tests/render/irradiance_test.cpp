@@ -4,6 +4,8 @@
 #include <glm/gtc/constants.hpp>
 
 #include "render_helper.h"
+#include "scene/lights.h"
+#include "scene/profiles/light_profile.h"
 
 namespace importon::test::irradiance_test {
 namespace {
@@ -83,6 +85,43 @@ TEST_P(Irradiance, OfSpotLightFollowsKhrLightsPunctual) {
                               std::clamp((cosine - std::cos(kOuter)) / (std::cos(kInner) - std::cos(kOuter)), 0.0, 1.0);
                           return 5 * t * t * cosine / d2;
                         })));
+}
+
+/// A lamp whose light goes with both angles, not along the axes of the world, as it is and mirrored.
+TEST_P(Irradiance, OfALampWithAProfileFollowsTheProfile) {
+  const IesProfile profile(Photometry::typeC, {0, 30, 90}, {0, 90, 180, 270, 360},
+                           {5, 8, 1, 5, 2, 1, 5, 4, 1, 5, 9, 1, 5, 8, 1});
+  const LightProfile sampled = sampleProfile(profile);
+  for (const bool isMirrored : {false, true}) {
+    SceneBuilder builder = whitePlane(0.6, {0.4, 0, 0});
+    builder.pointLight({0.1, 2, 0}, vec3(static_cast<float>(sampled.most)));
+    Scene scene = builder.finish();
+    scene.textures = {textureOf(sampled, 0)};
+    scene.texels = sampled.texels;
+    Light& light = scene.lights.back();
+    light.kind = kLightProfile;
+    light.triangle = 0;
+    light.cosOuter = sampled.cosOuter;
+    light.power = profilePower(light.emission, sampled.shareIntegral);
+    light.direction = vec3(glm::normalize(glm::dvec3(0.2, -1, 0.1)));
+    light.area = 0.7f;
+    light.isTwoSided = isMirrored ? 1 : 0;
+    // The frame of shaders/lib/sampling.glsl, turned by the lamp's angle.
+    const glm::dvec3 axis(light.direction);
+    const double s = axis.z >= 0 ? 1 : -1, a = -1 / (s + axis.z), b = axis.x * axis.y * a;
+    const glm::dvec3 u(1 + s * axis.x * axis.x * a, s * b, -s * axis.x), v(b, s + axis.y * axis.y * a, -axis.y);
+    const glm::dvec3 x = std::cos(0.7) * u + std::sin(0.7) * v;
+    const glm::dvec3 y = glm::cross(x, axis) * (isMirrored ? -1.0 : 1.0);
+    EXPECT_TRUE(isImageOf(
+        renderDirect(scene, 16).image,
+        imageOf(scene,
+                [&](const glm::dvec3& p) {
+                  const glm::dvec3 to = p - glm::dvec3(0.1, 2, 0), w = glm::normalize(to);
+                  const double intensity = profile.intensity({glm::dot(w, x), glm::dot(w, y), -glm::dot(w, axis)});
+                  return intensity * -w.y / glm::dot(to, to);
+                })))
+        << isMirrored;
+  }
 }
 
 TEST_P(Irradiance, OfNarrowSpotLightIsItsIntensityOnTheAxis) {

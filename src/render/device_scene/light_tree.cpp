@@ -150,7 +150,7 @@ LightBounds boundLight(const Scene& scene, const Light& light) {
   }
   bounds.low = bounds.high = light.position;
   if (light.kind == kLightPoint) bounds.power *= 0.25f;  // all around, not by the cosine
-  if (light.kind == kLightSpot) {
+  if (light.kind == kLightSpot || light.kind == kLightProfile) {
     bounds.axis = light.direction;
     bounds.cosCone = light.cosOuter;
     bounds.power = kFloatPi * floatMeanOf(light.emission);

@@ -11,7 +11,8 @@
 namespace importon {
 namespace {
 
-constexpr std::array<std::string_view, 27> kModelled = {"EXT_lights_image_based",
+constexpr std::array<std::string_view, 28> kModelled = {"EXT_lights_ies",
+                                                        "EXT_lights_image_based",
                                                         "EXT_mesh_gpu_instancing",
                                                         "EXT_meshopt_compression",
                                                         "EXT_texture_avif",

@@ -105,6 +105,17 @@ void addNodeExtensions(std::vector<SchemaRule>& rules) {
   node.reference("EXT_mesh_gpu_instancing/attributes", "accessors", indexMap);
 }
 
+void addProfileLights(std::vector<SchemaRule>& rules) {
+  const std::string profiles = "extensions/EXT_lights_ies";
+  Rules(rules, "").optional(profiles, object).required(profiles + "/lights", objects);
+  Rules profile(rules, profiles + "/lights/*");
+  profile.optional("uri", string).reference("bufferView", "bufferViews");
+  Rules light(rules, "nodes/*/" + profiles);
+  Rules(rules, "nodes/*").optional(profiles, object);
+  light.reference("light", profiles + "/lights", index, true).range("multiplier", 0, kBrightestFactor);
+  light.vector("color", 3, 0, 1);
+}
+
 void addVariants(std::vector<SchemaRule>& rules) {
   const std::string variants = "extensions/KHR_materials_variants";
   Rules(rules, "").optional(variants, object).required(variants + "/variants", objects);
@@ -218,6 +229,7 @@ std::vector<SchemaRule> makeRules() {
   addRoot(rules);
   addNodes(rules);
   addNodeExtensions(rules);
+  addProfileLights(rules);
   addMeshes(rules);
   addVariants(rules);
   addData(rules);
