@@ -18,6 +18,6 @@ std::string oneLine(const std::string& what, const std::string& where, const std
 }  // namespace
 
 Error::Error(ExitStatus status, const std::string& what, const std::string& where, const std::string& remedy)
-    : std::runtime_error(oneLine(what, where, remedy)), status_(status) {}
+    : std::runtime_error(oneLine(what, where, remedy)), status_(status), problem_(what) {}
 
 }  // namespace importon

@@ -13,9 +13,11 @@ class Error : public std::runtime_error {
  public:
   Error(ExitStatus status, const std::string& what, const std::string& where, const std::string& remedy);
   [[nodiscard]] ExitStatus status() const { return status_; }
+  [[nodiscard]] const std::string& problem() const { return problem_; }  // WHAT alone
 
  private:
   ExitStatus status_;
+  std::string problem_;
 };
 
 /// Bad command line.

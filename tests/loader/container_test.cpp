@@ -138,6 +138,15 @@ TEST(Container, ABinChunkMayBeMissingOrEmptyWhereNoBufferNeedsIt) {
   EXPECT_NE(errorOf(glbOf({{"JSON", jsonOf(false)}})).find("neither 'uri' nor a BIN chunk"), std::string::npos);
 }
 
+/// The BIN chunk is that of one buffer; others without a place of their data hold none.
+TEST(Container, ABufferWithoutDataMayBeThereWhereNothingReadsIt) {
+  GltfBuilder builder = GltfBuilder::emissiveTriangle();
+  builder.json["buffers"] = {{{"byteLength", builder.binary.size()}}, {{"byteLength", 1024}}};
+  EXPECT_EQ(errorOf(builder, kStrict), "");
+  builder.json["bufferViews"][0]["buffer"] = 1;
+  EXPECT_NE(errorOf(builder).find("neither 'uri' nor a BIN chunk (test.glb#/buffers/1)"), std::string::npos);
+}
+
 TEST(Container, AWrongLengthInTheHeaderIsASmallFault) {
   for (const std::uint32_t length : {0u, 4u, 40u, 0xFFFFFFFFu}) {
     EXPECT_EQ(kindOf(glbWithWord(8, length)), "wrong length of a .glb") << length;

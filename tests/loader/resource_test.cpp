@@ -92,6 +92,18 @@ TEST_F(ExternalFiles, AMissingBufferIsNamed) {
   EXPECT_NE(error().find("#/buffers/0/uri)"), std::string::npos);
 }
 
+TEST_F(ExternalFiles, AMissingBufferThatNothingReadsIsNotAskedFor) {
+  setBuffer("data.bin");
+  for (const Json& more : {Json{{"byteLength", 36}, {"uri", "missing.bin"}}, Json{{"byteLength", 1024}}}) {
+    builder_.json["buffers"][1] = more;
+    EXPECT_EQ(warningsOf(), (std::vector<std::string>{})) << more;
+  }
+  builder_.json["bufferViews"][0]["buffer"] = 1;
+  EXPECT_NE(error().find("neither 'uri' nor a BIN chunk"), std::string::npos) << error();
+  builder_.json["buffers"][1]["uri"] = "missing.bin";
+  EXPECT_NE(error().find("the file 'missing.bin' is missing"), std::string::npos) << error();
+}
+
 TEST_F(ExternalFiles, AMissingImageThatNothingShowsIsNotAskedFor) {
   setBuffer("data.bin");
   builder_.add("textures", {{"source", builder_.add("images", {{"uri", "missing.png"}})}});
@@ -106,7 +118,8 @@ TEST_F(ExternalFiles, AMissingImageLeavesTheFactorWithOneWarning) {
     const std::vector<std::string> warnings = warningsOf();
     ASSERT_EQ(warnings.size(), 1u) << uri;
     EXPECT_NE(warnings[0].find(uri), std::string::npos) << warnings[0];
-    EXPECT_NE(warnings[0].find("/uri)"), std::string::npos) << warnings[0];
+    EXPECT_NE(warnings[0].find("/uri: "), std::string::npos) << warnings[0];
+    EXPECT_EQ(warnings[0].find("scene.gltf"), warnings[0].rfind("scene.gltf")) << warnings[0];
     EXPECT_NE(warnings[0].find("factor stands alone"), std::string::npos) << warnings[0];
   }
 }

@@ -31,6 +31,26 @@ TEST(Skin, PosesTheMeshByItsJoints) {
   EXPECT_EQ(log.warnings()[0].kind, "skinned mesh");
 }
 
+/// Vertices 0 and 1 follow joint 0; vertex 2 follows four of JOINTS_0 and the second joint in JOINTS_1, all by 0.2.
+TEST(Skin, AllSetsOfJointsCount) {
+  GltfBuilder builder = skinned();
+  Json& attributes = builder.primitive()["attributes"];
+  attributes["JOINTS_0"] = builder.addAccessor(std::vector<glm::u8vec4>(3, {0, 0, 0, 0}), kUnsignedByte, "VEC4");
+  attributes["WEIGHTS_0"] =
+      builder.addAccessor(std::vector<glm::vec4>{{1, 0, 0, 0}, {1, 0, 0, 0}, {0.2f, 0.2f, 0.2f, 0.2f}}, kFloat, "VEC4");
+  attributes["JOINTS_1"] = builder.addAccessor(std::vector<glm::u16vec4>(3, {1, 0, 0, 0}), kUnsignedShort, "VEC4");
+  attributes["WEIGHTS_1"] = builder.addAccessor(std::vector<glm::vec4>{{}, {}, {0.2f, 0, 0, 0}}, kFloat, "VEC4");
+  const Scene scene = load(builder);
+  ASSERT_EQ(scene.positions.size(), 3u);
+  EXPECT_EQ(scene.positions[1], vec3(11, 0, 0));
+  EXPECT_NEAR(scene.positions[2].x, 8, 1e-5);
+  EXPECT_NEAR(scene.positions[2].y, 5, 1e-5);
+  attributes["JOINTS_1"] = builder.addAccessor(std::vector<glm::u16vec4>(3, {2, 0, 0, 0}), kUnsignedShort, "VEC4");
+  EXPECT_NE(errorOf(builder).find("joint 2 of a vertex is not among the 2"), std::string::npos);
+  attributes.erase("JOINTS_1");
+  EXPECT_NE(errorOf(builder, kStrict).find("JOINTS_1 is missing"), std::string::npos);
+}
+
 TEST(Skin, InverseBindMatricesUndoTheBindPose) {
   GltfBuilder builder = skinned();
   const auto back = [](const glm::vec3& by) {

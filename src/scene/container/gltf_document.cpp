@@ -127,8 +127,9 @@ GltfDocument readDocument(std::span<const std::byte> bytes, const std::filesyste
   convertSpecularGlossiness(json);
   checkBufferViews(json, source);
   document.model = parseModel(json, source);
-  for (std::vector<unsigned char>& data : readBuffers(json, container.binaryChunk, folder, source, log)) {
-    document.model.buffers.emplace_back().data = std::move(data);
+  for (BufferData& buffer : readBuffers(json, container.binaryChunk, folder, source, log)) {
+    document.model.buffers.emplace_back().data = std::move(buffer.bytes);
+    document.absences.push_back(std::move(buffer.absence));
   }
   return document;
 }

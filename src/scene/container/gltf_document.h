@@ -6,9 +6,11 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "base/error.h"
 #include "base/log.h"
 #include "scene/container/faults.h"
 #include "scene/container/file_choices.h"
@@ -18,7 +20,7 @@
 namespace importon {
 
 /// Every index in the model is valid, and every buffer view lies in its buffer (as byteLength says: stand-ins of
-/// compressed views have no bytes). The model has no images. The JSON is for what the model lacks or bends: images,
+/// compressed views and buffers that are absent have no bytes). The model has no images. The JSON is for what the model lacks or bends: images,
 /// materials, extensions and extras, whose integers tinygltf 2.7 cuts to 32 bits.
 struct GltfDocument {
   GltfSource source;
@@ -26,6 +28,7 @@ struct GltfDocument {
   Faults faults;
   nlohmann::json json;
   tinygltf::Model model;
+  std::vector<std::optional<SceneError>> absences{};  // of the file's buffers: why one has no bytes
   mutable std::map<std::size_t, std::vector<unsigned char>> decodedViews{};  // of viewBytes
 };
 

@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "scene/container/gltf_advice.h"
 #include "scene/container/gltf_json.h"
@@ -21,30 +22,28 @@ void checkHolds(std::size_t actual, std::size_t needed, const std::string& holde
                    "copy or export the file again; it may be cut off");
 }
 
-Bytes readBuffer(const Json& buffer, std::optional<std::span<const std::byte>> binaryChunk, const AssetFolder& folder,
-                 const std::string& where, Log& log) {
+/// A buffer that names its data.
+BufferData readNamed(const Json& buffer, const AssetFolder& folder, const std::string& where, Log& log) {
   const auto byteLength = buffer["byteLength"].get<std::size_t>();
+  const auto& uri = buffer["uri"].get_ref<const std::string&>();
   Bytes bytes;
-  if (buffer.contains("uri")) {
-    const auto& uri = buffer["uri"].get_ref<const std::string&>();
-    try {
-      bytes = readUri(uri, folder, where + "/uri", log);
-    } catch (const MissingFileError&) {
-      if (isMeshoptFallback(buffer)) return bytes;
-      throw;
-    }
-    checkHolds(bytes.size(), byteLength, isDataUri(uri) ? "the data URI" : fmt::format("'{}'", printable(uri)), where);
-    bytes.resize(byteLength);
-  } else if (isMeshoptFallback(buffer)) {
-    return bytes;
-  } else if (!binaryChunk || binaryChunk->empty()) {
-    throw SceneError("the buffer has neither 'uri' nor a BIN chunk", where, kExportAgain);
-  } else {
-    checkHolds(binaryChunk->size(), byteLength, "the BIN chunk of the .glb", where);
-    const auto* first = reinterpret_cast<const unsigned char*>(binaryChunk->data());
-    bytes.assign(first, first + byteLength);
+  try {
+    bytes = readUri(uri, folder, where + "/uri", log);
+  } catch (const MissingFileError& error) {
+    return {{}, error};
   }
-  return bytes;
+  checkHolds(bytes.size(), byteLength, isDataUri(uri) ? "the data URI" : fmt::format("'{}'", printable(uri)), where);
+  bytes.resize(byteLength);
+  return {std::move(bytes), std::nullopt};
+}
+
+/// One that does not.
+BufferData readUnnamed(const Json& buffer, std::span<const std::byte> binaryChunk, const std::string& where) {
+  if (binaryChunk.empty()) return {{}, SceneError("the buffer has neither 'uri' nor a BIN chunk", where, kExportAgain)};
+  const auto byteLength = buffer["byteLength"].get<std::size_t>();
+  checkHolds(binaryChunk.size(), byteLength, "the BIN chunk of the .glb", where);
+  const auto* first = reinterpret_cast<const unsigned char*>(binaryChunk.data());
+  return {Bytes(first, first + byteLength), std::nullopt};
 }
 
 [[noreturn]] void refuse(UriFault fault, const std::string& uri, const std::string& where) {
@@ -66,12 +65,21 @@ Bytes readBuffer(const Json& buffer, std::optional<std::span<const std::byte>> b
 
 }  // namespace
 
-std::vector<Bytes> readBuffers(const Json& document, std::optional<std::span<const std::byte>> binaryChunk,
-                               const AssetFolder& folder, const GltfSource& source, Log& log) {
-  std::vector<Bytes> buffers;
+std::vector<BufferData> readBuffers(const Json& document, std::optional<std::span<const std::byte>> binaryChunk,
+                                    const AssetFolder& folder, const GltfSource& source, Log& log) {
+  std::vector<BufferData> buffers;
   const Json& array = member(document, "buffers");
+  std::span<const std::byte> chunk = binaryChunk.value_or(std::span<const std::byte>());
   for (std::size_t i = 0; i < array.size(); ++i) {
-    buffers.push_back(readBuffer(array[i], binaryChunk, folder, source.at(fmt::format("/buffers/{}", i)), log));
+    const std::string where = source.at(fmt::format("/buffers/{}", i));
+    if (array[i].contains("uri")) {
+      buffers.push_back(readNamed(array[i], folder, where, log));
+    } else if (isMeshoptFallback(array[i])) {
+      buffers.emplace_back();
+    } else {
+      buffers.push_back(readUnnamed(array[i], std::exchange(chunk, {}), where));
+    }
+    if (isMeshoptFallback(array[i])) buffers.back().absence.reset();
   }
   return buffers;
 }

@@ -20,14 +20,18 @@ class MissingFileError : public SceneError {
   using SceneError::SceneError;
 };
 
+struct BufferData {
+  std::vector<unsigned char> bytes;
+  std::optional<SceneError> absence;  // why there are none, for who needs them
+};
+
 /// The bytes of each buffer, byteLength of them. None where a buffer only stands in for compressed views (`fallback` of
-/// EXT_meshopt_compression) and has no data. `binaryChunk`: of a .glb. The document has passed checkSchema. Throws
-/// SceneError on a missing or short file, a URI that may not be read, a malformed data URI, a buffer that is longer
-/// than its data.
-[[nodiscard]] std::vector<std::vector<unsigned char>> readBuffers(const nlohmann::json& document,
-                                                                  std::optional<std::span<const std::byte>> binaryChunk,
-                                                                  const AssetFolder& folder, const GltfSource& source,
-                                                                  Log& log);
+/// EXT_meshopt_compression) and has no data, where its file is missing, or where it names none; the first that names
+/// none has `binaryChunk`, of a .glb. The document has passed checkSchema. Throws SceneError on a short file, a URI that
+/// may not be read, a malformed data URI, a buffer that is longer than its data.
+[[nodiscard]] std::vector<BufferData> readBuffers(const nlohmann::json& document,
+                                                  std::optional<std::span<const std::byte>> binaryChunk,
+                                                  const AssetFolder& folder, const GltfSource& source, Log& log);
 
 /// The file that `uri`, which is no data URI, names. `where` as in SceneError. Throws MissingFileError, and SceneError
 /// where it may not be read.

@@ -12,13 +12,19 @@ namespace {
 
 using ByteSpan = std::span<const unsigned char>;
 
+/// Throws what is known of a buffer without bytes.
+ByteSpan bufferBytes(const GltfDocument& document, std::size_t buffer) {
+  if (buffer < document.absences.size() && document.absences[buffer]) throw *document.absences[buffer];
+  return document.model.buffers[buffer].data;
+}
+
 /// What a view decodes to, kept by the document.
 ByteSpan decodedView(const GltfDocument& document, std::size_t index, const nlohmann::json& extension,
                      const std::string& where) {
   constexpr std::size_t kMostBytes = std::size_t{1} << 32;
   const auto known = document.decodedViews.find(index);
   if (known != document.decodedViews.end()) return known->second;
-  const ByteSpan buffer = document.model.buffers[extension["buffer"].get<std::size_t>()].data;
+  const ByteSpan buffer = bufferBytes(document, extension["buffer"].get<std::size_t>());
   const auto offset = static_cast<std::size_t>(numberOr(extension, "byteOffset", 0));
   const auto length = extension["byteLength"].get<std::size_t>();
   if (offset > buffer.size() || length > buffer.size() - offset) {
@@ -41,18 +47,18 @@ ByteSpan decodedView(const GltfDocument& document, std::size_t index, const nloh
 ByteSpan viewBytes(const GltfDocument& document, std::size_t index) {
   const tinygltf::BufferView& view = document.model.bufferViews[index];
   const nlohmann::json& json = element(member(document.json, "bufferViews"), index);  // null: of addView
-  const ByteSpan buffer = document.model.buffers[static_cast<std::size_t>(view.buffer)].data;
+  const auto bufferIndex = static_cast<std::size_t>(view.buffer);
+  const ByteSpan buffer = document.model.buffers[bufferIndex].data;
   const std::string where = fmt::format("/bufferViews/{}", index);
   const nlohmann::json& extension = meshoptExtension(json);
-  const bool isStandIn =
-      isMeshoptFallback(element(member(document.json, "buffers"), static_cast<std::size_t>(view.buffer)));
+  const bool isStandIn = isMeshoptFallback(element(member(document.json, "buffers"), bufferIndex));
   if (extension.is_object() && (!isStandIn || buffer.empty())) {
     const ByteSpan bytes = decodedView(document, index, extension, document.source.at(where + "/extensions"));
     if (view.byteLength <= bytes.size()) return bytes.first(view.byteLength);
     throw SceneError(fmt::format("byteLength is {} but {} bytes are decoded", view.byteLength, bytes.size()),
                      document.source.at(where), kExportAgain);
   }
-  if (buffer.empty()) {
+  if (bufferBytes(document, bufferIndex).empty()) {
     throw SceneError("the buffer has no data, it only stands in for compressed views",
                      document.source.at(where + "/buffer"), kExportAgain);
   }

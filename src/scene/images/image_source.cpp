@@ -44,21 +44,23 @@ std::vector<std::size_t> candidates(const Json& texture) {
 }  // namespace
 
 std::optional<std::size_t> chooseImage(const GltfDocument& document, std::size_t texture, Log& log) {
-  std::string reason;
+  std::string reason, pointer;
   for (const std::size_t image : candidates(element(member(document.json, "textures"), texture))) {
     try {
       checkThere(document, image);
       return image;
     } catch (const MissingFileError& error) {
-      if (reason.empty()) reason = error.what();
+      if (!reason.empty()) continue;
+      reason = error.problem();
+      const bool hasUri = element(member(document.json, "images"), image).contains("uri");
+      pointer = fmt::format("/images/{}{}", image, hasUri ? "/uri" : "");
     }
   }
   if (reason.empty()) {
     log.warn("texture without image", fmt::format("{}: the texture names no image that can be read and is passed over",
                                                   document.source.at(fmt::format("/textures/{}", texture))));
   } else {
-    document.faults.forgive("missing image", fmt::format("/textures/{}", texture), reason,
-                            "the material's factor stands alone");
+    document.faults.forgive("missing image", pointer, reason, "the material's factor stands alone");
   }
   return std::nullopt;
 }
