@@ -23,10 +23,45 @@ namespace {
 // A damaged header may claim any size; 2^30 values are 4 GiB.
 constexpr std::int64_t kMostValues = std::int64_t{1} << 30;
 
-/// Values that a byte of a file may stand for, in the mean: no compression of a constant image does better.
-std::int64_t mostValuesPerByte(Imf::Compression compression) {
+/// Pixels that a byte of a file may stand for, in the mean, and values of all channels: no compression of a constant
+/// image does better.
+struct Density {
+  std::int64_t pixels, values;
+};
+Density mostPerByte(Imf::Compression compression) {
   const bool isLossy = compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION;
-  return isLossy ? 16384 : 1024;
+  return isLossy ? Density{16384, 32768} : Density{1024, 4096};
+}
+
+/// Rows that are compressed as one. [OpenEXR File Layout]
+std::int64_t rowsOfABlock(Imf::Compression compression) {
+  switch (compression) {
+    case Imf::ZIP_COMPRESSION:
+    case Imf::PXR24_COMPRESSION:
+      return 16;
+    case Imf::PIZ_COMPRESSION:
+    case Imf::B44_COMPRESSION:
+    case Imf::B44A_COMPRESSION:
+    case Imf::DWAA_COMPRESSION:
+      return 32;
+    case Imf::DWAB_COMPRESSION:
+      return 256;
+    default:
+      return 1;
+  }
+}
+
+/// The library takes memory for whole blocks and tiles, however few of their rows the image has.
+void checkBlocks(const Imf::Header& header, const std::string& where, std::int64_t width, std::int64_t height,
+                 std::int64_t channels) {
+  constexpr std::int64_t kSmallBlock = 1 << 26;  // values; whatever the image
+  std::int64_t pixels = width * rowsOfABlock(header.compression());
+  if (header.hasTileDescription())
+    pixels = std::int64_t{header.tileDescription().xSize} * header.tileDescription().ySize;
+  if (pixels <= std::max(kSmallBlock / std::max<std::int64_t>(channels, 1), width * height)) return;
+  const char* what =
+      header.hasTileDescription() ? "tiles are larger than the image" : "rows are too long for the image";
+  throw SceneError(what, where, "check that the file is whole");
 }
 
 bool isSubsampled(const Imf::Header& header) {
@@ -50,21 +85,19 @@ void checkSize(const Imf::Header& header, const std::string& where, std::size_t 
   const Imath::Box2i& window = header.dataWindow();
   const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
   const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-  auto channels = static_cast<std::int64_t>(channelsBefore);
-  for (auto i = header.channels().begin(); i != header.channels().end(); ++i) ++channels;
+  std::int64_t own = 0;
+  for (auto i = header.channels().begin(); i != header.channels().end(); ++i) ++own;
+  const std::int64_t channels = static_cast<std::int64_t>(channelsBefore) + own;
   if (channels == 0) throw SceneError("the image has no channels", where, "give an image with R, G and B");
   if (width > kMostValues || height > kMostValues || width * height > kMostValues / channels) {
     throw SceneError(fmt::format("an image of {} x {} pixels with {} channels is too large", width, height, channels),
                      where, "scale it down, or check that the file is whole");
   }
-  if (width * height / mostValuesPerByte(header.compression()) > fileBytes)
+  const Density most = mostPerByte(header.compression());
+  if (width * height / most.pixels > fileBytes || width * height * own / most.values > fileBytes)
     throw SceneError(fmt::format("a file of {} bytes cannot hold {} x {} pixels", fileBytes, width, height), where,
                      "check that the file is whole");
-  if (!header.hasTileDescription()) return;
-  constexpr std::int64_t kSmallTile = 1 << 22;  // pixels; whatever the image
-  const std::int64_t tile = std::int64_t{header.tileDescription().xSize} * header.tileDescription().ySize;
-  if (tile > std::max(kSmallTile, 4 * width * height))
-    throw SceneError("tiles are larger than the image", where, "check that the file is whole");
+  checkBlocks(header, where, width, height, own);
 }
 
 void readAttributes(const Imf::Header& header, Image& image) {

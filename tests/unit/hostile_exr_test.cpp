@@ -33,6 +33,21 @@ TEST(HostileExr, WhatTheFuzzerFoundIsRefused) {
   EXPECT_GT(files, 0);
 }
 
+/// A row of 2^22 pixels in blocks of 256 rows: memory for 2^30 values, for a picture of 2^22.
+TEST(HostileExr, ALongRowDoesNotTakeTheMemoryOfManyRows) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder / "long.exr";
+  writeExr(file, Image{2, 1, {{"R", {1, 2}}}, {}});
+  std::ifstream in(file, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  const std::int32_t last = (1 << 22) - 1;
+  std::memcpy(&bytes[bytes.find("box2i", bytes.find("dataWindow")) + 6 + 4 + 8], &last, sizeof last);
+  constexpr char kDwab = 9;
+  bytes[bytes.find("compression", bytes.find("compression") + 11) + 12 + 4] = kDwab;  // its name, its type, its size
+  std::ofstream(file, std::ios::binary) << bytes << std::string(16384, '\1');
+  EXPECT_NE(errorOf(file).find("rows are too long for the image"), std::string::npos) << errorOf(file);
+}
+
 TEST(HostileExr, ASmallFileDoesNotTakeTheMemoryOfAHugeImage) {
   const test::TemporaryFolder folder;
   const std::string file = folder / "huge.exr";
