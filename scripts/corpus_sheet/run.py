@@ -1,4 +1,5 @@
 """One render of a scene, and what is to be said of it."""
+import json
 import pathlib
 import struct
 import subprocess
@@ -57,6 +58,12 @@ def verdict_of(status, picture):
     if status == 2:
         return "refused"
     return "failed" if status in (1, 3, 4) else "crash"
+
+
+def errors_of(scene):
+    """How many errors the report of the glTF validator beside a scene lists; None without one."""
+    report = scene.with_name(scene.name + ".report.json")
+    return json.loads(report.read_text())["issues"]["numErrors"] if report.is_file() else None
 
 
 def render(importon, scene, picture, options, timeout):

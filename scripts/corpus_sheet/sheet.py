@@ -37,15 +37,34 @@ def counts(results):
     return {verdict: found[verdict] for verdict in VERDICTS}
 
 
+def reasons(results):
+    """Reasons of refusal, the most frequent first, one a line."""
+    found = collections.Counter(reason(result["message"]) for result in results if result["message"])
+    return [f"{number:>5}  {text}" for text, number in found.most_common()]
+
+
+def by_report(results):
+    """What came of files that the validator's reports know, of those without errors and with; why of the former."""
+    known = [result for result in results if result.get("errors") is not None]
+    lines = []
+    for title, group in (("valid", [result for result in known if result["errors"] == 0]),
+                         ("with errors", [result for result in known if result["errors"] > 0])):
+        words = ", ".join(f"{number} {verdict}" for verdict, number in counts(group).items() if number)
+        if group:
+            lines += ["", f"{title} by their reports: {len(group)} ({words})"]
+        if title == "valid":
+            lines += reasons(group)
+    return lines
+
+
 def summary(results):
     """A table as text: verdicts, then reasons of refusal and kinds of warning, the most frequent first."""
     lines = [f"{verdict:<10} {number:>5}  {100 * number / len(results):5.1f} %" for verdict, number in counts(results).items()]
     lines.append(f"{'files':<10} {len(results):>5}")
-    for title, texts in (("reasons", [result["message"] for result in results if result["message"]]),
-                         ("warnings", [text for result in results for text in result["warnings"]])):
-        found = collections.Counter(map(reason, texts)) if title == "reasons" else collections.Counter(
-            reason(re.sub(r"^\S+: ", "", text)) for text in texts)
-        lines += ["", title] + [f"{number:>5}  {text}" for text, number in found.most_common()]
+    warnings = collections.Counter(reason(re.sub(r"^\S+: ", "", text)) for result in results
+                                   for text in result["warnings"])
+    lines += ["", "reasons", *reasons(results), *by_report(results), "", "warnings"]
+    lines += [f"{number:>5}  {text}" for text, number in warnings.most_common()]
     return "\n".join(lines)
 
 

@@ -78,6 +78,18 @@ class Corpus(unittest.TestCase):
         self.assertEqual({file["verdict"] for file in found["files"]}, {"crash", "hang", "failed"})
         self.assertTrue(all(pathlib.Path(file["name"]).stem == file["verdict"] for file in found["files"]))
 
+    def test_holds_verdicts_against_reports_beside_the_files(self):
+        (self.folder / "files").mkdir()
+        for name, errors in {"good": 0, "wrong": 2}.items():
+            (self.folder / "files" / f"{name}.gltf").write_text(json.dumps({"asset": {"version": "2.0"}}))
+            report = self.folder / "files" / f"{name}.gltf.report.json"
+            report.write_text(json.dumps({"issues": {"numErrors": errors}}))
+        (self.folder / "files/other.gltf").write_text(json.dumps(SCENE))
+        found, table = self.run_on(IMPORTON, "--", "--passes", "1")
+        self.assertEqual([file["errors"] for file in found["files"]], [0, None, 2])
+        self.assertIn("valid by their reports: 1 (1 refused)\n    1  the scene has no triangle\n", table)
+        self.assertIn("with errors by their reports: 1 (1 refused)\n", table)
+
     def test_means_of_pictures(self):
         rows = [bytes([0, 10, 20]), bytes([30, 40, 50])]
         self.assertAlmostEqual(mean_of_png(png(rows, [0, 2])), 25)
