@@ -105,6 +105,54 @@ TEST(Cli, FilesOutsideTheScenesFolderNeedAFlag) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
 }
 
+/// A small fault of a file is a warning, and with --strict an error.
+TEST(Cli, StrictRefusesSmallFaults) {
+  const TemporaryFolder folder;
+  auto scene = nlohmann::json::parse(test::readFile(kCornellBox));
+  const std::string buffer = scene["buffers"][0]["uri"];
+  std::filesystem::copy_file(std::filesystem::path(kCornellBox).parent_path() / buffer, folder / buffer);
+  scene["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"] = 1.5;
+  writeFile(folder / "scene.gltf", scene.dump());
+  const Outcome forgiven = runImporton({"info", folder / "scene.gltf"});
+  EXPECT_EQ(forgiven.status, 0) << forgiven.err;
+  EXPECT_EQ(forgiven.err.find("importon: warning: "), 0u) << forgiven.err;
+  EXPECT_NE(forgiven.err.find("roughnessFactor"), std::string::npos) << forgiven.err;
+  expectError(runImporton({"info", folder / "scene.gltf", "--strict"}), 2, "roughnessFactor");
+  expectError(runImporton({folder / "scene.gltf", "-o", folder / "o.exr", "--strict"}), 2, "roughnessFactor");
+}
+
+/// The box as scene 0 and, half as large, as scene "small", whose variant "dark" shows one material for all.
+TEST(Cli, SceneAndVariantChooseWhatIsShown) {
+  const TemporaryFolder folder;
+  auto scene = nlohmann::json::parse(test::readFile(kCornellBox));
+  const std::string buffer = scene["buffers"][0]["uri"];
+  std::filesystem::copy_file(std::filesystem::path(kCornellBox).parent_path() / buffer, folder / buffer);
+  const std::size_t node = scene["nodes"].size(), material = scene["materials"].size();
+  const std::size_t mesh = scene["meshes"].size();
+  nlohmann::json one = scene["meshes"][0];
+  one["primitives"] = {one["primitives"][0]};
+  one["primitives"][0]["extensions"]["KHR_materials_variants"]["mappings"] = {
+      {{"material", material}, {"variants", {0}}}};
+  scene["meshes"].push_back(one);
+  scene["nodes"].push_back({{"mesh", mesh}});
+  scene["scenes"].push_back({{"name", "small"}, {"nodes", {node}}});
+  scene["materials"].push_back({{"name", "coal"}});
+  scene["extensionsUsed"].push_back("KHR_materials_variants");
+  scene["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "dark"}}};
+  writeFile(folder / "scene.gltf", scene.dump());
+  const auto info = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"info", folder / "scene.gltf", "--light", "studio"});
+    return runImporton(more);
+  };
+  EXPECT_NE(info({}).out.find("triangles  36"), std::string::npos) << info({}).out;
+  for (const char* name : {"small", "1"})
+    EXPECT_EQ(info({"--scene", name}).out.find("triangles  36"), std::string::npos) << name;
+  EXPECT_NE(info({"--scene", "small"}).out, info({"--scene", "small", "--variant", "dark"}).out);
+  EXPECT_EQ(info({"--scene", "small", "--variant", "dark"}).out, info({"--scene", "1", "--variant", "0"}).out);
+  expectError(info({"--scene", "large"}), 1, "use one of: 0");
+  expectError(info({"--variant", "bright"}), 1, "use one of: 0 dark");
+}
+
 TEST(Cli, InfoNeedsNoDevice) {
   const Outcome text = runImporton({"info", kCornellBox}, {.environment = kNoDriver});
   EXPECT_EQ(text.status, 0) << text.err;

@@ -180,6 +180,20 @@ TEST_P(Smooth, SolidsInMoreSolidsThanAPathCanKnowAreSaid) {
   EXPECT_TRUE(isSaid({1.1, 1.2, 1.1, 1.2, 1.1, 1.2, 1.1, 1.2, 1.1}));
 }
 
+TEST_P(Smooth, MoreMediaThanThereAreNumbersForAreSaid) {
+  RenderJob job = makeJob(GetParam(), 1);
+  for (const int count : {255, 256}) {
+    SceneBuilder builder = brightWall();
+    for (int i = 0; i < count; ++i) {
+      const double x = 3 + 2 * i;
+      const uint material = builder.material(glass(1.5f + 0.001f * static_cast<float>(i)));
+      builder.box(material, {x, 0, 0}, {x + 1, 1, 1}, Facing::outside);
+    }
+    const std::vector<Warning> warnings = renderScene(job, builder.finish()).warnings;
+    EXPECT_EQ(std::ranges::count_if(warnings, [](const Warning& w) { return w.kind == "many media"; }), count / 256);
+  }
+}
+
 TEST_P(Smooth, OverlappingSolidsMeetInOneInterface) {
   SceneBuilder builder = brightWall();
   builder.box(builder.material(glass(1.5f)), {-2, -2, -0.5}, {2, 2, 0.1}, Facing::outside);

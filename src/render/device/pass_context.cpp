@@ -7,6 +7,7 @@
 
 #include "accel/bvh.h"
 #include "base/clock.h"
+#include "render/device_scene/media.h"
 
 namespace importon {
 namespace {
@@ -58,6 +59,7 @@ PassContext::Loaded PassContext::load(const RenderJob& j, const Scene& s, Log& l
   loading.get();
   const Clock::time_point start = Clock::now();
   loaded.scene = uploadScene(loaded.device->context, s, bvh);
+  warnOfMedia(s.materials, l);
   seconds.device += secondsSince(start);
   return loaded;
 }

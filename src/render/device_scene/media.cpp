@@ -1,7 +1,11 @@
 #include "render/device_scene/media.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 namespace importon {
 namespace {
@@ -35,6 +39,18 @@ std::vector<Material> withMedia(std::vector<Material> materials) {
   }
   for (std::size_t m = 0; m < known.size(); ++m) materials[m].materialOfMedium = known[m];
   return materials;
+}
+
+void warnOfMedia(const std::vector<Material>& materials, Log& log) {
+  std::set<std::array<float, 5>> media;
+  for (const Material& m : materials)
+    if ((m.flags & kMaterialSolid) != 0)
+      media.insert({m.ior, m.dispersion, m.absorption.x, m.absorption.y, m.absorption.z});
+  if (media.size() <= kMostMedia) return;
+  log.warn("many media",
+           fmt::format("solids are of {} media, by index, dispersion and absorption; those beyond {} take "
+                       "the nearest of these",
+                       media.size(), kMostMedia));
 }
 
 }  // namespace importon
