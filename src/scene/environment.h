@@ -31,9 +31,9 @@ template <class Radiance>
   for (int y = 0; y < map.height; ++y) {
     for (int x = 0; x < map.width; ++x) {
       glm::dvec3 sum(0.0);
-      for (int k = 0; k < 4; ++k)
-        sum += radiance(
-            environmentDirection((x + 0.25 + 0.5 * (k % 2)) / map.width, (y + 0.25 + 0.5 * (k / 2)) / map.height));
+      for (const double below : {0.25, 0.75})
+        for (const double beside : {0.25, 0.75})
+          sum += radiance(environmentDirection((x + beside) / map.width, (y + below) / map.height));
       map.texels.emplace_back(glm::min(0.25 * scale * sum, glm::dvec3(kBrightestEnvironment)));
     }
   }

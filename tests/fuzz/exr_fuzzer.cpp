@@ -19,11 +19,11 @@ int openFile() { return memfd_create("importon_fuzz", 0); }
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const int file = openFile();
+  static const int kFile = openFile();
   const auto length = static_cast<ssize_t>(size);
-  if (ftruncate(file, 0) != 0 || pwrite(file, data, size, 0) != length) std::abort();
+  if (ftruncate(kFile, 0) != 0 || pwrite(kFile, data, size, 0) != length) std::abort();
   try {
-    (void)importon::readExr("/proc/self/fd/" + std::to_string(file));
+    (void)importon::readExr("/proc/self/fd/" + std::to_string(kFile));
   } catch (const importon::SceneError&) {
   }
   return 0;

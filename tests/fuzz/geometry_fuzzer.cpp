@@ -15,8 +15,11 @@ namespace {
 using nlohmann::json;
 
 /// A document whose only primitive has the stream, POSITION 0 and TEXCOORD_0 1.
-importon::GltfDocument dracoDocument(std::span<const std::uint8_t> stream, std::size_t points, std::size_t triangles) {
-  importon::GltfDocument document{importon::GltfSource("fuzz"), {}, {}, {}};
+importon::GltfDocument dracoDocument(std::span<const std::uint8_t> stream, std::size_t points, std::size_t triangles,
+                                     importon::Log& log) {
+  const importon::GltfSource source("fuzz");
+  const importon::Faults faults(source, log, importon::Strictness::forgiving);
+  importon::GltfDocument document{source, {}, faults, {}, {}};
   document.json["bufferViews"] = {{{"buffer", 0}, {"byteLength", stream.size()}}};
   document.json["buffers"] = {{{"byteLength", stream.size()}}};
   document.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {
@@ -55,7 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   importon::Log log(importon::Log::Verbosity::quiet);
   try {
     if (data[0] == 0) {
-      importon::GltfDocument document = dracoDocument(stream, data[1], data[2]);
+      importon::GltfDocument document = dracoDocument(stream, data[1], data[2], log);
       importon::decodeDracoMeshes(document, log);
     } else {
       (void)importon::decodeMeshopt(meshoptExtensionOf(data[0] - 1u, data[1], data[2]), stream, "fuzz");

@@ -210,6 +210,12 @@ INSTANTIATE_TEST_SUITE_P(Meshes, ForgivingTest, testing::ValuesIn(kMeshes),
                          [](const auto& instance) { return instance.param.name; });
 
 const SmallFault kMaterials[] = {
+    {"LightOfAnUnknownKind",
+     [](B& b) {
+       b.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}, {{"type", "area"}}};
+       b.json["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 1;
+     },
+     "unknown value", "'area' is none of point, spot, directional", "/extensions/KHR_lights_punctual/lights/1/type"},
     {"AlphaModeUnknown", [](B& b) { material(b)["alphaMode"] = "SORTED"; }, "unknown value",
      "'SORTED' is none of OPAQUE, MASK, BLEND", "/materials/0/alphaMode"},
     {"RequiredButHarmless",

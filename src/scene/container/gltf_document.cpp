@@ -59,7 +59,7 @@ void checkBufferViews(const nlohmann::json& document, const GltfSource& source) 
 
 /// What tinygltf reads: all but the bytes, which it would decode its own way, animations, which a scene at rest has no
 /// use for, and what it refuses: indices of primitives without a buffer view, as compressed ones, and strides that are
-/// no multiple of 4 or above 252.
+/// no multiple of 4 or above 252; lights of a kind that is not known.
 nlohmann::json structureOf(const nlohmann::json& document) {
   nlohmann::json structure = nlohmann::json::object();
   for (const auto& [key, value] : document.items()) {
@@ -67,6 +67,11 @@ nlohmann::json structureOf(const nlohmann::json& document) {
   }
   if (structure.contains("bufferViews")) {
     for (nlohmann::json& view : structure["bufferViews"]) view.erase("byteStride");
+  }
+  const nlohmann::json::json_pointer lights("/extensions/KHR_lights_punctual/lights");
+  if (structure.contains(lights)) {
+    for (nlohmann::json& light : structure[lights])
+      if (!light.contains("type")) light["type"] = "";  // of a kind that is not known
   }
   if (!structure.contains("meshes")) return structure;
   for (nlohmann::json& mesh : structure["meshes"]) {

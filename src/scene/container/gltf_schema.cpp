@@ -218,6 +218,7 @@ void checkVariants(const Json& document, const std::string& array, const std::ve
   if (!document.contains(place)) return;
   const Json& elements = document[place];
   for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (!elements[i].contains("type")) continue;  // unknown, and dropped
     const auto& type = elements[i]["type"].get_ref<const std::string&>();
     const bool needsObject = std::find(types.begin(), types.end(), type) != types.end();
     if (!needsObject || elements[i].contains(type)) continue;

@@ -218,6 +218,7 @@ void addCamerasAndLights(std::vector<SchemaRule>& rules) {
   for (const char* key : {"xmag", "ymag", "zfar", "znear"}) camera.required(std::string("orthographic/") + key, number);
   Rules light(rules, "extensions/KHR_lights_punctual/lights/*");
   light.choice("type", {"point", "spot", "directional"})
+      .orElse(SchemaRepair::drop)
       .vector("color", 3, 0, kBrightestFactor)
       .range("intensity", 0, kBrightestFactor)
       .range("range", 0);

@@ -43,7 +43,7 @@ Light readLight(const GltfDocument& document, std::size_t index, float sceneRadi
     light.kind = kLightSpot;
     setCone(source, fmt::format("/extensions/KHR_lights_punctual/lights/{}", index), document, light);
     light.power = spotPower(light.emission, light.cosInner, light.cosOuter);
-  } else {
+  } else if (source.type == "directional") {
     light.kind = kLightDirectional;
     light.power = directionalPower(light.emission, sceneRadius);
   }
