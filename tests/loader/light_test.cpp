@@ -161,7 +161,7 @@ TEST(PunctualLights, DirectionalPowerIsWhatTheSceneReceives) {
 }
 
 TEST(PunctualLights, RefusesWhatIsNone) {
-  EXPECT_NE(errorOf(punctual({{"type", "laser"}}))
+  EXPECT_NE(errorOf(punctual({{"type", "laser"}}), kStrict)
                 .find("'laser' is none of point, spot, directional "
                       "(test.glb#/extensions/KHR_lights_punctual/lights/0/type)"),
             std::string::npos);

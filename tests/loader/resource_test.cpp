@@ -86,6 +86,16 @@ TEST_F(ExternalFiles, AShorterBufferFileIsRefused) {
   EXPECT_NE(error().find("#/buffers/0)"), std::string::npos);
 }
 
+TEST_F(ExternalFiles, APointerOfGitLfsIsNamed) {
+  const std::string pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 36\n";
+  setBuffer("data.bin");
+  writeFile(folder_ / "data.bin", pointer);
+  EXPECT_NE(error().find("pointer of Git LFS"), std::string::npos) << error();
+  writeFile(folder_ / "pointer.glb", pointer);
+  Log log(Log::Verbosity::quiet);
+  EXPECT_THROW((void)loadGltf(folder_ / "pointer.glb", log), SceneError);
+}
+
 TEST_F(ExternalFiles, AMissingBufferIsNamed) {
   setBuffer("missing.bin");
   EXPECT_NE(error().find("the file 'missing.bin' is missing"), std::string::npos);

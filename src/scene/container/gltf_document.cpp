@@ -14,6 +14,7 @@
 #include "scene/container/gltf_schema.h"
 #include "scene/container/lenient_json.h"
 #include "scene/materials/specular_glossiness.h"
+#include "scene/materials/webgl_technique.h"
 
 namespace importon {
 namespace {
@@ -130,6 +131,7 @@ GltfDocument readDocument(std::span<const std::byte> bytes, const std::filesyste
   checkExtensions(json, source, faults, log);
   applyChoices(json, choices);
   convertSpecularGlossiness(json);
+  convertTechniques(json, faults);
   checkBufferViews(json, source);
   document.model = parseModel(json, source);
   for (BufferData& buffer : readBuffers(json, container.binaryChunk, folder, source, log)) {

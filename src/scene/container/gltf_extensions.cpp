@@ -11,7 +11,7 @@
 namespace importon {
 namespace {
 
-constexpr std::array<std::string_view, 28> kModelled = {"EXT_lights_ies",
+constexpr std::array<std::string_view, 29> kModelled = {"EXT_lights_ies",
                                                         "EXT_lights_image_based",
                                                         "EXT_mesh_gpu_instancing",
                                                         "EXT_meshopt_compression",
@@ -37,6 +37,7 @@ constexpr std::array<std::string_view, 28> kModelled = {"EXT_lights_ies",
                                                         "KHR_mesh_quantization",
                                                         "KHR_meshopt_compression",
                                                         "KHR_node_visibility",
+                                                        "KHR_techniques_webgl",
                                                         "KHR_texture_basisu",
                                                         "KHR_texture_transform"};
 

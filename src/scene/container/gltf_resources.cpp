@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -124,6 +125,10 @@ Bytes readWholeFile(const std::filesystem::path& file, const std::string& where)
   if (size > 0 && !stream.read(reinterpret_cast<char*>(bytes.data()), size)) {
     throw SceneError("the file cannot be read to its end", where, "check the disk and copy the file again");
   }
+  constexpr std::string_view kLfsPointer = "version https://git-lfs.github.com/spec/";
+  const std::string_view head(reinterpret_cast<const char*>(bytes.data()), std::min(bytes.size(), kLfsPointer.size()));
+  if (head == kLfsPointer)
+    throw SceneError("the file is a pointer of Git LFS to what was not fetched", where, "run 'git lfs pull'");
   return bytes;
 }
 
