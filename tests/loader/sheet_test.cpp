@@ -145,6 +145,62 @@ TEST(Sheet, CornersAtOnePlaceAreOne) {
   EXPECT_EQ(solidsAndSheets(Model().show({{1, ajar}})), Counts(0, 12));
 }
 
+/// A ball of 20 · 4^n triangles, each of the icosahedron's cut into 2^n · 2^n.
+Corners ball(int sides) {
+  const float g = 1.6180340f;
+  const Corners at{{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                   {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+  const std::vector<glm::ivec3> faces{{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                      {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                      {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                      {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+  Corners corners;
+  for (const glm::ivec3& f : faces) {
+    const auto point = [&](int i, int j) {
+      const float u = static_cast<float>(i) / static_cast<float>(sides),
+                  v = static_cast<float>(j) / static_cast<float>(sides);
+      return glm::normalize((1 - u - v) * at[std::size_t(f.x)] + u * at[std::size_t(f.y)] + v * at[std::size_t(f.z)]);
+    };
+    for (int i = 0; i < sides; ++i) {
+      for (int j = 0; i + j < sides; ++j) {
+        corners += {point(i, j), point(i + 1, j), point(i, j + 1)};
+        if (i + j + 1 < sides) corners += {point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)};
+      }
+    }
+  }
+  return corners;
+}
+
+/// A scan may have missed a triangle; the mouth of a flask is no such hole.
+TEST(Sheet, SmallHolesLeaveASolid) {
+  Corners scanned = ball(8);
+  scanned.resize(scanned.size() - 3);
+  EXPECT_EQ(solidsAndSheets(Model().show({{1, scanned}})), Counts(1279, 0));
+  Corners flask;
+  const Corners whole = ball(8);
+  for (std::size_t k = 0; k < whole.size(); k += 3)
+    if (whole[k].y < 0.95f) flask += {whole[k], whole[k + 1], whole[k + 2]};
+  EXPECT_EQ(solidsAndSheets(Model().show({{1, flask}})).first, 0);
+}
+
+/// Faces of one solid need not be cut where their neighbours are.
+TEST(Sheet, ALongSideAlongShortOnesIsNoHole) {
+  std::vector<Corners> faces = cube();
+  Corners fine;
+  for (int axis = 0; axis < 4; ++axis) {  // the lid, cut into 4 x 4
+    for (int row = 0; row < 4; ++row) {
+      const float x = 0.25f * static_cast<float>(axis), y = 0.25f * static_cast<float>(row);
+      fine += quad({x, y, 1}, {x + 0.25f, y, 1}, {x + 0.25f, y + 0.25f, 1}, {x, y + 0.25f, 1});
+    }
+  }
+  faces.back() = fine;
+  EXPECT_EQ(solidsAndSheets(Model().show({{1, all(faces)}})), Counts(10 + 32, 0));
+  Corners strip = pane();  // and a sheet is one whatever its cracks
+  strip += quad({1, 0, 0}, {1.5f, 0, 0.2f}, {1.5f, 0.5f, 0.2f}, {1, 0.5f, 0});
+  strip += quad({1, 0.5f, 0}, {1.5f, 0.5f, 0.2f}, {1.5f, 1, 0.2f}, {1, 1, 0});
+  EXPECT_EQ(solidsAndSheets(Model().show({{1, strip}})), Counts(0, 6));
+}
+
 /// Solids whose surface is cut into primitives, also of other materials.
 TEST(Sheet, PrimitivesOfAMeshCloseEachOther) {
   std::vector<Corners> faces = cube();

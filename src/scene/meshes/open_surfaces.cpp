@@ -4,14 +4,16 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 
+#include "scene/meshes/border_loops.h"
+#include "scene/meshes/groups.h"
 #include "scene/meshes/weld.h"
 
 namespace importon {
 namespace {
 
-constexpr double kNoSpace = 1e-7;  // volume over the area to the power 3/2; of a sphere 0.094
+constexpr double kNoSpace = 1e-7;     // volume over the area to the power 3/2; of a sphere 0.094
+constexpr double kSmallHole = 0.002;  // of the area of its surface; the mouth of a bottle is 0.004
 
 /// A triangle of any part.
 struct MeshFace {
@@ -31,12 +33,15 @@ class Surface {
  public:
   explicit Surface(std::vector<MeshFace> faces) : faces_(std::move(faces)) {
     joinEdges();
+    sealHoles();
     peel();
     judgeClosed();
   }
   [[nodiscard]] const std::vector<MeshFace>& faces() const { return faces_; }
 
  private:
+  static constexpr std::size_t kNotSealed = static_cast<std::size_t>(-1);
+
   /// Of what is connected.
   struct Shell {
     double area = 0, areaOfVolume = 0, volume = 0;
@@ -67,12 +72,62 @@ class Surface {
     firstUse_.push_back(uses.size());
   }
 
+  [[nodiscard]] std::size_t edgeCount() const { return firstUse_.size() - 1; }
+  [[nodiscard]] std::size_t usesOf(std::size_t edge) const { return firstUse_[edge + 1] - firstUse_[edge]; }
+
+  [[nodiscard]] std::vector<Border> borders() const {
+    std::vector<Border> found;
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      const MeshFace& face = faces_[i];
+      if (isDegenerate(face)) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (usesOf(face.edges[k]) != 1) continue;
+        const std::size_t next = (k + 1) % 3;
+        found.push_back({face.places[static_cast<int>(k)], face.places[static_cast<int>(next)],
+                         glm::dvec3(face.corners[k]), glm::dvec3(face.corners[next]), face.edges[k], i});
+      }
+    }
+    std::ranges::stable_sort(found, {}, &Border::from);
+    return found;
+  }
+
+  /// Holes that are small for the surface that they are in count as closed: what a scan has missed, and where the long
+  /// side of a face lies along the short ones of others.
+  void sealHoles() {
+    Groups<std::size_t> groups(faces_.size());
+    for (std::size_t e = 0; e < edgeCount(); ++e) joinUses(e, groups, false);
+    const std::vector<Border> all = borders();
+    const std::vector<BorderLoop> loops = findLoops(all);
+    for (const BorderLoop& loop : loops)
+      for (const std::size_t i : loop.borders) groups.unite(all[i].face, all[loop.borders.front()].face);
+    std::vector<double> areas(faces_.size());
+    for (std::size_t i = 0; i < faces_.size(); ++i) areas[groups.of(i)] += areaOf(faces_[i]);
+    sealOf_.assign(edgeCount(), kNotSealed);
+    for (const BorderLoop& loop : loops) {
+      if (loop.area > kSmallHole * areas[groups.of(all[loop.borders.front()].face)]) continue;
+      std::vector<std::size_t>& edges = seals_.emplace_back();
+      for (const std::size_t i : loop.borders) {
+        edges.push_back(all[i].edge);
+        sealOf_[all[i].edge] = seals_.size() - 1;
+      }
+    }
+  }
+
+  void joinUses(std::size_t edge, Groups<std::size_t>& groups, bool isClosedOnly) const {
+    for (std::size_t use = firstUse_[edge] + 1; use < firstUse_[edge + 1]; ++use)
+      for (std::size_t before = use; before-- > firstUse_[edge];)
+        if (!isClosedOnly || (!faces_[faceOfUse_[use]].isOpen && !faces_[faceOfUse_[before]].isOpen)) {
+          groups.unite(faceOfUse_[use], faceOfUse_[before]);
+          break;
+        }
+  }
+
   /// Takes away faces with an edge of their own until there is none.
   void peel() {
-    std::vector<std::size_t> left(firstUse_.size() - 1), pending;
+    std::vector<std::size_t> left(edgeCount()), pending;
     for (std::size_t e = 0; e < left.size(); ++e) {
-      left[e] = firstUse_[e + 1] - firstUse_[e];
-      if (left[e] == 1) pending.push_back(e);
+      left[e] = usesOf(e);
+      if (left[e] == 1 && sealOf_[e] == kNotSealed) pending.push_back(e);
     }
     while (!pending.empty()) {
       const std::size_t edge = pending.back();
@@ -81,35 +136,36 @@ class Surface {
         MeshFace& face = faces_[faceOfUse_[use]];
         if (face.isOpen) continue;
         face.isOpen = true;
-        for (const std::size_t other : face.edges)
+        for (const std::size_t other : face.edges) {
+          if (sealOf_[other] != kNotSealed) breakSeal(sealOf_[other], pending);
           if (--left[other] == 1) pending.push_back(other);
+        }
       }
     }
   }
 
-  std::size_t rootOf(std::size_t face) {
-    while (parent_[face] != face) face = parent_[face] = parent_[parent_[face]];
-    return face;
+  void breakSeal(std::size_t seal, std::vector<std::size_t>& pending) {
+    for (const std::size_t edge : seals_[seal]) sealOf_[edge] = kNotSealed;
+    pending.insert(pending.end(), seals_[seal].begin(), seals_[seal].end());
   }
 
   /// The shells of closed faces that are no solids are open.
   void judgeClosed() {
-    parent_.resize(faces_.size());
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-    for (std::size_t e = 0; e + 1 < firstUse_.size(); ++e) {
-      std::size_t first = faces_.size();
-      for (std::size_t use = firstUse_[e]; use < firstUse_[e + 1]; ++use) {
-        const std::size_t face = faceOfUse_[use];
-        if (faces_[face].isOpen) continue;
-        if (first == faces_.size()) first = face;
-        parent_[rootOf(face)] = rootOf(first);
-      }
-    }
+    Groups<std::size_t> groups(faces_.size());
+    for (std::size_t e = 0; e < edgeCount(); ++e) joinUses(e, groups, true);
+    for (const std::vector<std::size_t>& edges : seals_)
+      if (sealOf_[edges.front()] != kNotSealed)
+        for (const std::size_t e : edges) groups.unite(faceOfUse_[firstUse_[e]], faceOfUse_[firstUse_[edges.front()]]);
     std::vector<Shell> shells(faces_.size());
     for (std::size_t i = 0; i < faces_.size(); ++i)
-      if (!faces_[i].isOpen) measure(faces_[i], shells[rootOf(i)]);
+      if (!faces_[i].isOpen) measure(faces_[i], shells[groups.of(i)]);
     for (std::size_t i = 0; i < faces_.size(); ++i)
-      if (!faces_[i].isOpen && !isDegenerate(faces_[i])) faces_[i].isOpen = !isSolid(shells[rootOf(i)]);
+      if (!faces_[i].isOpen && !isDegenerate(faces_[i])) faces_[i].isOpen = !isSolid(shells[groups.of(i)]);
+  }
+
+  static double areaOf(const MeshFace& face) {
+    const glm::dvec3 a(face.corners[0]);
+    return 0.5 * glm::length(glm::cross(glm::dvec3(face.corners[1]) - a, glm::dvec3(face.corners[2]) - a));
   }
 
   static void measure(const MeshFace& face, Shell& shell) {
@@ -117,9 +173,8 @@ class Surface {
     shell.isEmpty = false;
     const glm::dvec3 a = glm::dvec3(face.corners[0]) - shell.origin, b = glm::dvec3(face.corners[1]) - shell.origin,
                      c = glm::dvec3(face.corners[2]) - shell.origin;
-    const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
-    shell.area += area;
-    if (face.hasVolume) shell.areaOfVolume += area;
+    shell.area += areaOf(face);
+    if (face.hasVolume) shell.areaOfVolume += areaOf(face);
     shell.volume += glm::dot(a, glm::cross(b, c)) / 6;
   }
 
@@ -129,7 +184,8 @@ class Surface {
 
   std::vector<MeshFace> faces_;
   std::vector<std::size_t> faceOfUse_, firstUse_;  // of each edge, one after the other; the end at last
-  std::vector<std::size_t> parent_;
+  std::vector<std::vector<std::size_t>> seals_;    // edges of small holes
+  std::vector<std::size_t> sealOf_;                // of each edge
 };
 
 std::vector<MeshFace> facesOf(const std::vector<MeshPart>& parts, const std::vector<bool>& hasVolume) {

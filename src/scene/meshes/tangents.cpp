@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "scene/images/texture_sampling.h"
+#include "scene/meshes/groups.h"
 
 namespace importon {
 namespace {
@@ -42,24 +42,6 @@ glm::dvec3 inPlane(const glm::dvec3& v, const glm::dvec3& n) {
   const glm::dvec3 flat = v - n * glm::dot(n, v);
   return glm::length(flat) > 1e-6 * glm::length(v) ? unitOrZero(flat) : glm::dvec3(0.0);
 }
-
-/// Corners that share a tangent.
-class Groups {
- public:
-  explicit Groups(std::size_t corners) : parent_(corners) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-  Corner of(Corner corner) {
-    while (parent_[corner] != corner) corner = parent_[corner] = parent_[parent_[corner]];
-    return corner;
-  }
-  void unite(Corner a, Corner b) {
-    const Corner first = of(a), second = of(b);
-    parent_[std::max(first, second)] = std::min(first, second);
-  }
-
- private:
-  std::vector<Corner> parent_;
-};
 
 class TangentSpace {
  public:
@@ -208,7 +190,7 @@ class TangentSpace {
   std::vector<FaceFrame> faces_;
   std::vector<glm::dvec3> faceNormals_;  // where the part has none
   std::vector<Corner> welded_;           // by corner: equal for vertices that are one
-  Groups groups_;
+  Groups<Corner> groups_;                // that share a tangent
 };
 
 }  // namespace
