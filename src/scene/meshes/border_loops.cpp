@@ -30,10 +30,11 @@ class LoopFinder {
   static glm::dvec3 directionOf(const Border& border) { return glm::normalize(border.end - border.start); }
 
   std::size_t takeNext(std::size_t border) {
-    const auto [first, last] = std::ranges::equal_range(borders_, borders_[border].to, {}, &Border::from);
+    const uint place = borders_[border].to;
+    const auto first = std::ranges::lower_bound(borders_, place, {}, &Border::from);
     std::size_t best = kNoBorder;
     double least = 2;
-    for (auto next = first; next != last; ++next) {
+    for (auto next = first; next != borders_.end() && next->from == place; ++next) {
       const auto index = static_cast<std::size_t>(next - borders_.begin());
       const double turn = glm::dot(directionOf(borders_[border]), directionOf(*next));
       if (isUsed_[index] || !(turn < least)) continue;
