@@ -54,14 +54,14 @@ std::int64_t rowsOfABlock(Imf::Compression compression) {
 /// The library takes memory for whole blocks and tiles, however few of their rows the image has.
 void checkBlocks(const Imf::Header& header, const std::string& where, std::int64_t width, std::int64_t height,
                  std::int64_t channels) {
-  constexpr std::int64_t kSmallBlock = 1 << 26;  // values; whatever the image
-  std::int64_t pixels = width * rowsOfABlock(header.compression());
-  if (header.hasTileDescription())
-    pixels = std::int64_t{header.tileDescription().xSize} * header.tileDescription().ySize;
-  if (pixels <= std::max(kSmallBlock / std::max<std::int64_t>(channels, 1), width * height)) return;
-  const char* what =
-      header.hasTileDescription() ? "tiles are larger than the image" : "rows are too long for the image";
-  throw SceneError(what, where, "check that the file is whole");
+  constexpr std::int64_t kSmallTile = 1 << 24, kSmallRows = 1 << 26;  // values; whatever the image
+  const bool isTiled = header.hasTileDescription();
+  const std::int64_t pixels = isTiled ? std::int64_t{header.tileDescription().xSize} * header.tileDescription().ySize
+                                      : width * rowsOfABlock(header.compression());
+  const std::int64_t small = (isTiled ? kSmallTile : kSmallRows) / std::max<std::int64_t>(channels, 1);
+  if (pixels <= std::max(small, width * height)) return;
+  throw SceneError(isTiled ? "tiles are larger than the image" : "rows are too long for the image", where,
+                   "check that the file is whole");
 }
 
 bool isSubsampled(const Imf::Header& header) {
