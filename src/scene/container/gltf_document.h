@@ -20,8 +20,8 @@
 namespace importon {
 
 /// Every index in the model is valid, and every buffer view lies in its buffer (as byteLength says: stand-ins of
-/// compressed views and buffers that are absent have no bytes). The model has no images. The JSON is for what the model lacks or bends: images,
-/// materials, extensions and extras, whose integers tinygltf 2.7 cuts to 32 bits.
+/// compressed views and buffers that are absent have no bytes). The model has no images. The JSON is for what the model
+/// lacks or bends: images, materials, extensions and extras, whose integers tinygltf 2.7 cuts to 32 bits.
 struct GltfDocument {
   GltfSource source;
   AssetFolder folder;  // of external files

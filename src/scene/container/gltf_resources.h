@@ -27,8 +27,8 @@ struct BufferData {
 
 /// The bytes of each buffer, byteLength of them. None where a buffer only stands in for compressed views (`fallback` of
 /// EXT_meshopt_compression) and has no data, where its file is missing, or where it names none; the first that names
-/// none has `binaryChunk`, of a .glb. The document has passed checkSchema. Throws SceneError on a short file, a URI that
-/// may not be read, a malformed data URI, a buffer that is longer than its data.
+/// none has `binaryChunk`, of a .glb. The document has passed checkSchema. Throws SceneError on a short file, a URI
+/// that may not be read, a malformed data URI, a buffer that is longer than its data.
 [[nodiscard]] std::vector<BufferData> readBuffers(const nlohmann::json& document,
                                                   std::optional<std::span<const std::byte>> binaryChunk,
                                                   const AssetFolder& folder, const GltfSource& source, Log& log);
