@@ -105,11 +105,11 @@ std::string convergeCsv(const ConvergeReport& report) {
   for (const ConvergeResult& result : report.results) {
     for (const ConvergeRun& run : result.runs) {
       for (const ConvergePoint& point : run.points) {
-        text += fmt::format("{},{},{},{:.6g},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", result.config.name,
-                            run.seed, point.budget, point.seconds, point.passes, point.photonsEmitted,
-                            point.photonsStored, run.devicePeakBytes, run.photonMapBytes, point.errors.relmse,
-                            point.errors.relmseTrimmed, point.errors.smape, point.errors.rmse, point.errors.meanRatio,
-                            kPercent * point.band.rms, kPercent * point.band.p99);
+        text += fmt::format("{},{},{},{:.6g},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n",
+                            result.config.name, run.seed, point.budget, point.seconds, point.passes,
+                            point.photonsEmitted, point.photonsStored, run.devicePeakBytes, run.photonMapBytes,
+                            point.errors.relmse, point.errors.relmseTrimmed, point.errors.smape, point.errors.rmse,
+                            point.errors.meanRatio, kPercent * point.band.rms, kPercent * point.band.p99);
       }
     }
   }

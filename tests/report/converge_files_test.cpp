@@ -55,7 +55,8 @@ TEST(Converge, WritesAllAsJson) {
 TEST(Converge, WritesARowForEachPoint) {
   const std::string csv = convergeCsv(sampleReport());
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 2 * 3);
-  EXPECT_NE(csv.find("\ndefault,2,4,4,40,1000,500,2000000,1000000,0.01,0.01,0.025,0.025,0,0.5,1.5\n"), std::string::npos)
+  EXPECT_NE(csv.find("\ndefault,2,4,4,40,1000,500,2000000,1000000,0.01,0.01,0.025,0.025,0,0.5,1.5\n"),
+            std::string::npos)
       << csv;
 }
 
