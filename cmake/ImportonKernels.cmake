@@ -21,29 +21,31 @@ function(importon_add_kernels target namespace)
   set(modules)
   set(leans)
   set(calls)
-  set(assembly "/* The SPIR-V modules, each with its lean one and their ends. */\n.section .rodata\n")
+  set(assembly "/* The SPIR-V modules, each with its lean ones and their ends. */\n.section .rodata\n")
   list(SORT ARG_SOURCES COMPARE FILE_BASENAME)
   foreach(source IN LISTS ARG_SOURCES)
     get_filename_component(name ${source} NAME_WE)
     get_filename_component(source ${source} ABSOLUTE)
     set(module ${outFolder}/spirv/${name}.spv)
     set(lean ${outFolder}/spirv/${name}.lean)
+    set(placed ${outFolder}/spirv/${name}.placed)
     add_custom_command(
-      OUTPUT ${module} ${lean}
+      OUTPUT ${module} ${lean} ${placed}
       COMMAND ${GLSLANG_VALIDATOR} -V --target-env vulkan1.2 --auto-map-bindings --quiet -I${shaderFolder}
               --depfile ${module}.d -o ${module} ${source}
-      COMMAND importon_optimise_module ${module} ${module} ${lean} ${IMPORTON_KERNEL_CACHE}
+      COMMAND importon_optimise_module ${module} ${module} ${lean} ${placed} ${IMPORTON_KERNEL_CACHE}
       DEPENDS ${source} importon_optimise_module
       DEPFILE ${module}.d
       COMMENT "Kernel ${name}"
       VERBATIM)
     list(APPEND modules ${module})
-    list(APPEND leans ${lean})
+    list(APPEND leans ${lean} ${placed})
     list(APPEND calls ${outFolder}/include/${namespace}/${name}.h)
     set(symbol ${target}_${name})
     string(APPEND assembly
-           ".balign 4\n.global ${symbol}, ${symbol}_end, ${symbol}_lean_end\n${symbol}:\n.incbin \"${module}\"\n"
-           "${symbol}_end:\n.incbin \"${lean}\"\n${symbol}_lean_end:\n")
+           ".balign 4\n.global ${symbol}, ${symbol}_end, ${symbol}_lean_end, ${symbol}_placed_end\n"
+           "${symbol}:\n.incbin \"${module}\"\n${symbol}_end:\n.incbin \"${lean}\"\n${symbol}_lean_end:\n"
+           ".incbin \"${placed}\"\n${symbol}_placed_end:\n")
   endforeach()
   string(APPEND assembly ".section .note.GNU-stack,\"\",%progbits\n")
   file(CONFIGURE OUTPUT ${outFolder}/modules.S CONTENT "${assembly}")

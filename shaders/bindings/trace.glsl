@@ -1,5 +1,5 @@
-// The main function of the traversal kernels. A kernel defines `bool acceptHit(uint triangle, vec2 barycentrics,
-// uint rayId)` and includes this file.
+// The main function of the traversal kernels. A kernel defines `uvec4 instanceTexel(uint)` and `bool acceptHit(uint
+// stored, uint number, vec2 barycentrics, uint rayId)` and includes this file.
 //
 // An invocation traces one ray after the other, so that the lanes of a SIMD group stay busy although rays differ in
 // length: every few steps, those that are done take the next rays of the queue. Any number of invocations does; those
@@ -37,6 +37,7 @@ void main() {
   Traversal traversal;
   traversal.hit = Hit(0.0, 0.0, 0.0, kNone);
   traversal.hitKind = kBvhLeaf;
+  if (kHasInstances) setRay(traversal, vec3(0.0), vec3(0.0, 0.0, 1.0), 0.0, 0u);
   uint slot = kNone;
   uint turn = 0u;
   bool isOver = true;
@@ -53,9 +54,12 @@ void main() {
       }
     }
     if (slot != kNone) {
+      // A lane that comes to a mesh waits for the next turn, so that all change together. It must not leave the loop
+      // for that: what lavapipe computes in the loop for other lanes would become its state.
+      if (isAtMesh(traversal)) changeMesh(traversal);
       uint left = kStepsPerTurn;
       do {
-        isOver = stepTraversal(traversal, kIsAnyHit);
+        if (!isAtMesh(traversal)) isOver = stepTraversal(traversal, kIsAnyHit);
         --left;
       } while (!isOver && left > 0u);
     }

@@ -13,7 +13,7 @@ float coverageAt(uvec4 triangle, vec3 weights) {
   float alpha = uintBitsToFloat(materialTexel(base).w);
   if (kHasVertexColors) {
     vec4 tangent, color;
-    interpolateExtras(triangle.xyz, weights, tangent, color);
+    interpolateExtras(noPlacement(), triangle.xyz, weights, tangent, color);
     alpha *= color.a;
   }
   if (kHasTextures && m5.w != kNone) {
@@ -26,10 +26,10 @@ float coverageAt(uvec4 triangle, vec3 weights) {
 }
 
 /// True if a ray meets the surface at this point of the triangle: a blended material stops rays with the probability
-/// of its coverage, decided by the ray and the triangle.
-bool isCovered(uint triangle, vec2 uvWeights, uint rayId) {
-  const float coverage = coverageAt(triangleTexel(triangle), vec3(1.0 - uvWeights.x - uvWeights.y, uvWeights));
-  return coverage >= 1.0 || unitFloat(hashCombine(rayId, triangle)) < coverage;
+/// of its coverage, decided by the ray and the triangle. `stored`: its index in the scene; `number`: as hits have it.
+bool isCovered(uint stored, uint number, vec2 uvWeights, uint rayId) {
+  const float coverage = coverageAt(triangleTexel(stored), vec3(1.0 - uvWeights.x - uvWeights.y, uvWeights));
+  return coverage >= 1.0 || unitFloat(hashCombine(rayId, number)) < coverage;
 }
 
 #endif

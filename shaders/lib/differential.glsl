@@ -36,15 +36,19 @@ struct NormalField {
 /// On the side of the ray. Normal maps are left out.
 NormalField loadNormalField(uint triangle, vec2 uv, bool isFront) {
   NormalField f = NormalField(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-  const uvec4 indices = triangleTexel(triangle);
+  uint stored;
+  const Placement place = findPlacement(triangle, stored);
+  const uvec4 indices = triangleTexel(stored);
   const uvec4 t0 = vertexTexel(3u * indices.x), t1 = vertexTexel(3u * indices.y), t2 = vertexTexel(3u * indices.z);
   if (t0.w == kNone || t1.w == kNone || t2.w == kNone) return f;
-  const vec3 e1 = uintBitsToFloat(t1.xyz) - uintBitsToFloat(t0.xyz),
-             e2 = uintBitsToFloat(t2.xyz) - uintBitsToFloat(t0.xyz);
+  const vec3 p0 = placedVertex(place, uintBitsToFloat(t0.xyz));
+  const vec3 e1 = placedVertex(place, uintBitsToFloat(t1.xyz)) - p0,
+             e2 = placedVertex(place, uintBitsToFloat(t2.xyz)) - p0;
   const float size = max(maxComponent(abs(e1)), maxComponent(abs(e2)));  // squares of small edges may underflow
   const vec3 a = e1 / size, b = e2 / size, across = cross(a, b);
   const float area2 = dot(across, across);
-  const vec3 n0 = unpackNormal(t0.w), n1 = unpackNormal(t1.w) - n0, n2 = unpackNormal(t2.w) - n0;
+  const vec3 n0 = placedNormal(place, unpackNormal(t0.w)), n1 = placedNormal(place, unpackNormal(t1.w)) - n0,
+             n2 = placedNormal(place, unpackNormal(t2.w)) - n0;
   const vec3 sum = n0 + uv.x * n1 + uv.y * n2;
   if (!(area2 > 1e-20) || dot(sum, sum) <= 1e-12) return f;
   f.dual1 = cross(b, across) / (area2 * size);

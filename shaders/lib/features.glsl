@@ -19,6 +19,7 @@ layout(constant_id = kSpecHasDispersion) const bool kHasDispersion = true;
 layout(constant_id = kSpecHasThicknessTextures) const bool kHasThicknessTextures = true;
 layout(constant_id = kSpecHasLightProfiles) const bool kHasLightProfiles = true;
 layout(constant_id = kSpecHasSheets) const bool kHasSheets = true;
+layout(constant_id = kSpecHasInstances) const bool kHasInstances = true;
 layout(constant_id = kSpecHasTriangleLights) const bool kHasTriangleLights = true;
 layout(constant_id = kSpecHasCutLights) const bool kHasCutLights = true;
 layout(constant_id = kSpecHasPunctualLights) const bool kHasPunctualLights = true;

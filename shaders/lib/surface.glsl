@@ -1,11 +1,12 @@
 // The surface at a hit: position with its error, normals, and the material's values there.
 // The kernel defines `uvec4 triangleTexel(uint)`, `uvec4 vertexTexel(uint)`, `uvec4 materialTexel(uint)` and
-// what lib/texture.glsl asks for before including this file.
+// what lib/texture.glsl and lib/placement.glsl ask for before including this file.
 #ifndef IMPORTON_LIB_SURFACE_GLSL
 #define IMPORTON_LIB_SURFACE_GLSL
 #include "lib/features.glsl"
 #include "lib/offset.glsl"
 #include "lib/packing.glsl"
+#include "lib/placement.glsl"
 #include "lib/sampling.glsl"
 #include "lib/texture.glsl"
 
@@ -69,13 +70,13 @@ void interpolateUv(uvec3 vertices, vec3 weights, out vec2 uv0, out vec2 uv1) {
 }
 
 /// Tangent frame or vertex colour: the third texel.
-void interpolateExtras(uvec3 vertices, vec3 weights, out vec4 tangent, out vec4 color) {
+void interpolateExtras(Placement place, uvec3 vertices, vec3 weights, out vec4 tangent, out vec4 color) {
   tangent = vec4(0.0);
   color = vec4(0.0);
   for (uint i = 0u; i < 3u; ++i) {
     const uvec4 texel = vertexTexel(3u * vertices[i] + 2u);
     if ((kHasNormalMaps || kHasAnisotropy) && texel.x != kNone) {
-      const vec4 t = unpackTangent(texel.x);
+      const vec4 t = placedTangent(place, unpackTangent(texel.x));
       tangent.xyz += weights[i] * t.xyz;
       tangent.w = t.w;
     }
@@ -244,23 +245,28 @@ void loadLayers(inout Surface s, uint base, SurfaceTextures t, vec4 tangent, vec
   if (kHasSheets && (s.flags & kMaterialSolid) == 0u) s.sheetDepth = s.absorption * (m12.w * t.thickness);
 }
 
-/// The surface that a ray of `direction` (unit) met at barycentric weights (u, v) of `triangle`.
+/// The surface that a ray of `direction` (unit) met at barycentric weights (u, v) of the triangle of that number.
 Surface loadSurface(uint triangle, vec2 uvWeights, vec3 direction) {
-  const uvec4 indices = triangleTexel(triangle);
+  uint stored;
+  const Placement place = findPlacement(triangle, stored);
+  const uvec4 indices = triangleTexel(stored);
   const uvec4 t0 = vertexTexel(3u * indices.x), t1 = vertexTexel(3u * indices.y), t2 = vertexTexel(3u * indices.z);
-  const vec3 p0 = uintBitsToFloat(t0.xyz), p1 = uintBitsToFloat(t1.xyz), p2 = uintBitsToFloat(t2.xyz);
+  const vec3 p0 = placedVertex(place, uintBitsToFloat(t0.xyz)), p1 = placedVertex(place, uintBitsToFloat(t1.xyz)),
+             p2 = placedVertex(place, uintBitsToFloat(t2.xyz));
   const vec3 weights = vec3(1.0 - uvWeights.x - uvWeights.y, uvWeights);
   Surface s;
   const HitPosition hit = hitPosition(p0, p1, p2, uvWeights.x, uvWeights.y);
   s.position = hit.position;
   s.error = hit.error;
-  const vec3 frontNormal = triangleNormal(p0, p1, p2);
+  vec3 frontNormal = triangleNormal(p0, p1, p2);
+  if (kHasInstances && place.isMirrored) frontNormal = -frontNormal;
   s.isFront = dot(frontNormal, direction) < 0.0;
   s.geometricNormal = s.isFront ? frontNormal : -frontNormal;
   vec3 normal = frontNormal;
   s.lift = vec3(0.0);
   if (t0.w != kNone && t1.w != kNone && t2.w != kNone) {
-    const vec3 n0 = unpackNormal(t0.w), n1 = unpackNormal(t1.w), n2 = unpackNormal(t2.w);
+    const vec3 n0 = placedNormal(place, unpackNormal(t0.w)), n1 = placedNormal(place, unpackNormal(t1.w)),
+               n2 = placedNormal(place, unpackNormal(t2.w));
     const vec3 n = weights.x * n0 + weights.y * n1 + weights.z * n2;
     if (dot(n, n) > 1e-12) normal = normalize(n);
     const float side = s.isFront ? 1.0 : -1.0;
@@ -293,7 +299,8 @@ Surface loadSurface(uint triangle, vec2 uvWeights, vec3 direction) {
     vec2 uv0, uv1;
     interpolateUv(indices.xyz, weights, uv0, uv1);
     vec4 color = vec4(1.0);
-    if (kHasNormalMaps || kHasVertexColors || kHasAnisotropy) interpolateExtras(indices.xyz, weights, tangent, color);
+    if (kHasNormalMaps || kHasVertexColors || kHasAnisotropy)
+      interpolateExtras(place, indices.xyz, weights, tangent, color);
     if (kHasVertexColors) s.baseColor *= color.rgb;
     if (kHasTextures) {
       t = sampleTextures(base, m5.w, uv0, uv1);

@@ -3,10 +3,18 @@
 // a different phase.
 //
 // The kernel defines, before it includes this file:
-//   uvec4 bvhNodeTexel(uint index)                                   texels of Bvh::nodes, three per record
-//   bool acceptHit(uint triangle, vec2 barycentrics, uint rayId)     false: the surface has a hole there
+//   uvec4 bvhNodeTexel(uint index)     texels of Bvh::nodes, three per record
+//   uvec4 instanceTexel(uint index)    of InstanceData
+//   bool acceptHit(uint stored, uint number, vec2 barycentrics, uint rayId)
+//                                      false: the surface has a hole there; `stored`: the triangle's index in the scene
+//
+// Placed meshes have trees of their own, in object space. There boxes are tested with the ray in object space, widened
+// by what rounding may have moved it; triangles in render space, each vertex as lib/placed_point.glsl places it, so all
+// that holds of triangles of the world holds of them: no gaps, and no ray that hits the surface it leaves.
 #ifndef IMPORTON_LIB_TRAVERSE_GLSL
 #define IMPORTON_LIB_TRAVERSE_GLSL
+#include "lib/features.glsl"
+#include "lib/placed_point.glsl"
 #include "lib/triangle_intersection.glsl"
 #include "shared/bvh_data.h"
 #include "shared/ray_data.h"
@@ -25,6 +33,14 @@ struct Traversal {
   uint record;    // to be visited next
   uint siblings;  // of `record`
   uint depth;     // lists on the stack
+  // Of the mesh that it is in, or the world, where nothing is moved:
+  vec4 placeX, placeY, placeZ;  // rows of renderFromObject
+  vec3 boxOrigin;               // the ray in object space
+  vec3 boxInverse;
+  vec3 boxWiden;    // of boxes on each side, in units of t
+  uint toNumber;    // from an index of a triangle to its number
+  uint floorDepth;  // lists on the stack that are not of the mesh; kNone: it is the world
+  uint nextMesh;    // instance to be changed to; kNone: none
 };
 
 /// Lists of siblings left behind on the way down. A variable of its own because an array in a struct would be
@@ -55,13 +71,53 @@ void setRay(inout Traversal t, vec3 origin, vec3 direction, float tMax, uint ray
   t.record = 0u;
   t.siblings = kBvhNoSiblings;
   t.depth = 0u;
+  t.placeX = vec4(1.0, 0.0, 0.0, 0.0);
+  t.placeY = vec4(0.0, 1.0, 0.0, 0.0);
+  t.placeZ = vec4(0.0, 0.0, 1.0, 0.0);
+  t.boxOrigin = t.origin;
+  t.boxInverse = t.inverseDirection;
+  t.boxWiden = vec3(0.0);
+  t.toNumber = 0u;
+  t.floorDepth = kNone;
+  t.nextMesh = kNone;
+}
+
+bool isAtMesh(Traversal t) { return kHasInstances && t.nextMesh != kNone; }
+
+/// Goes down into a placed mesh, or from one back to the world. Let N be the rows of objectFromRender, o and d the ray,
+/// x any point of the placed mesh, and A what `reach` says. Rounding moves N o + T by at most 5 u N (|o| + A), u =
+/// 2^-24, and t N d by 5 u N (|o| + A), as t |d| <= |x| + |o|; the vertices lie within 4 u A of where the exact map
+/// takes them, which is 4 u N A here; the rest is for the box test itself.
+void changeMesh(inout Traversal t) {
+  const float kMoved = 32.0 / 16777216.0;
+  const uint base = kInstanceTexels * t.nextMesh;
+  t.placeX = uintBitsToFloat(instanceTexel(base));
+  t.placeY = uintBitsToFloat(instanceTexel(base + 1u));
+  t.placeZ = uintBitsToFloat(instanceTexel(base + 2u));
+  const vec4 x = uintBitsToFloat(instanceTexel(base + 3u)), y = uintBitsToFloat(instanceTexel(base + 4u)),
+             z = uintBitsToFloat(instanceTexel(base + 5u));
+  const uvec4 reach = instanceTexel(base + 6u), rest = instanceTexel(base + 7u);
+  const vec3 d = vec3(dot(x.xyz, t.direction), dot(y.xyz, t.direction), dot(z.xyz, t.direction));
+  const vec3 far = abs(t.origin) + uintBitsToFloat(reach.xyz);
+  const vec3 moved = kMoved * vec3(dot(abs(x.xyz), far), dot(abs(y.xyz), far), dot(abs(z.xyz), far));
+  t.boxOrigin = vec3(dot(x.xyz, t.origin), dot(y.xyz, t.origin), dot(z.xyz, t.origin)) + vec3(x.w, y.w, z.w);
+  t.boxInverse = vec3(bvhInverse(d.x), bvhInverse(d.y), bvhInverse(d.z));
+  const bool isWorld = t.nextMesh == 0u;
+  t.boxWiden = isWorld ? vec3(0.0) : moved * abs(t.boxInverse);
+  t.toNumber = reach.w - rest.x;
+  t.floorDepth = isWorld ? kNone : t.depth;
+  t.record = isWorld ? t.record : rest.y;
+  t.siblings = isWorld ? t.siblings : kBvhNoSiblings;
+  t.nextMesh = kNone;
 }
 
 /// Distance at which the ray enters the box in `slot`, as an integer with the slot in its lowest bits, or
 /// kBvhMiss. Non-negative floats compare as their bits do, which spares the NaN rules of min and max.
 int bvhBoxKey(Traversal t, vec3 scale, vec3 offset, uvec3 nearWords, uvec3 farWords, int slot) {
-  const vec3 near = vec3(ivec3((nearWords >> (8 * slot)) & 255u)) * scale + offset;
-  const vec3 far = vec3(ivec3((farWords >> (8 * slot)) & 255u)) * scale + offset;
+  vec3 near = vec3(ivec3((nearWords >> (8 * slot)) & 255u)) * scale + offset;
+  vec3 far = vec3(ivec3((farWords >> (8 * slot)) & 255u)) * scale + offset;
+  if (kHasInstances) near -= t.boxWiden;
+  if (kHasInstances) far += t.boxWiden;
   const ivec3 nearBits = floatBitsToInt(near);
   const ivec3 farBits = floatBitsToInt(far * kBvhSlack);
   const int enter = max(max(nearBits.x, nearBits.y), max(nearBits.z, 0));
@@ -71,10 +127,11 @@ int bvhBoxKey(Traversal t, vec3 scale, vec3 offset, uvec3 nearWords, uvec3 farWo
 
 /// Keys of the four children in the order that the ray meets them.
 ivec4 bvhSortedKeys(Traversal t, uvec4 a, uvec4 b, uvec4 c) {
-  const vec3 offset = (uintBitsToFloat(a.xyz) - t.origin) * t.inverseDirection;
-  const vec3 scale =
-      uintBitsToFloat((uvec3(a.w << 23, a.w << 15, a.w << 7)) & 0x7F800000u) * t.inverseDirection;
-  const bvec3 isNegative = lessThan(t.direction, vec3(0.0));
+  const vec3 origin = kHasInstances ? t.boxOrigin : t.origin;
+  const vec3 inverseDirection = kHasInstances ? t.boxInverse : t.inverseDirection;
+  const vec3 offset = (uintBitsToFloat(a.xyz) - origin) * inverseDirection;
+  const vec3 scale = uintBitsToFloat((uvec3(a.w << 23, a.w << 15, a.w << 7)) & 0x7F800000u) * inverseDirection;
+  const bvec3 isNegative = lessThan(kHasInstances ? inverseDirection : t.direction, vec3(0.0));
   const uvec3 low = uvec3(b.x, b.z, c.x), high = uvec3(b.y, b.w, c.y);
   const uvec3 near = mix(low, high, isNegative), far = mix(high, low, isNegative);
   const int k0 = bvhBoxKey(t, scale, offset, near, far, 0), k1 = bvhBoxKey(t, scale, offset, near, far, 1);
@@ -102,22 +159,30 @@ vec2 bvhBarycentrics(vec2 uv, uint kind) {
   return turn == 0u ? uv : turn == 1u ? vec2(w, uv.x) : vec2(uv.y, w);
 }
 
+/// A vertex of a leaf record in render space.
+vec3 bvhVertex(Traversal t, uvec4 texel) {
+  const vec3 v = uintBitsToFloat(texel.xyz);
+  return kHasInstances ? placedPoint(t.placeX, t.placeY, t.placeZ, v) : v;
+}
+
 /// Keeps the triangle of a leaf record if it is the nearest so far; of equally near ones the smallest index.
 bool bvhTestTriangle(inout Traversal t, uvec4 a, uvec4 b, uvec4 c, bool isTriangle, const bool isAnyHit) {
-  const TriangleHit h = intersectTriangle(t.shear, t.origin, t.direction, uintBitsToFloat(a.xyz),
-                                          uintBitsToFloat(b.xyz), uintBitsToFloat(c.xyz));
-  const bool isNearer = isAnyHit ? h.t < t.hit.t : h.t < t.hit.t || (h.t == t.hit.t && a.w < t.hit.triangle);
+  const TriangleHit h = intersectTriangle(t.shear, t.origin, t.direction, bvhVertex(t, a), bvhVertex(t, b),
+                                          bvhVertex(t, c));
+  const uint number = kHasInstances ? a.w + t.toNumber : a.w;
+  const bool isNearer = isAnyHit ? h.t < t.hit.t : h.t < t.hit.t || (h.t == t.hit.t && number < t.hit.triangle);
   const bool isTaken =
-      isTriangle && h.isHit && isNearer && acceptHit(a.w, bvhBarycentrics(vec2(h.u, h.v), c.w), t.rayId);
+      isTriangle && h.isHit && isNearer && acceptHit(a.w, number, bvhBarycentrics(vec2(h.u, h.v), c.w), t.rayId);
   t.hit.t = isTaken ? h.t : t.hit.t;
   t.hit.u = isTaken ? h.u : t.hit.u;
   t.hit.v = isTaken ? h.v : t.hit.v;
-  t.hit.triangle = isTaken ? a.w : t.hit.triangle;
+  t.hit.triangle = isTaken ? number : t.hit.triangle;
   t.hitKind = isTaken ? c.w : t.hitKind;
   return isTaken;
 }
 
-/// Visits one record. True when the traversal is over. Branches are selections: lavapipe would run both sides
+/// Visits one record. True when the traversal is over; else, where isAtMesh(t) holds after it, changeMesh(t) comes
+/// before the next step. Branches are selections: lavapipe would run both sides
 /// anyway, and a store that every lane makes costs less than one that some skip.
 bool stepTraversal(inout Traversal t, const bool isAnyHit) {
   const uint texel = kBvhRecordTexels * t.record;
@@ -126,13 +191,15 @@ bool stepTraversal(inout Traversal t, const bool isAnyHit) {
   const ivec4 keys = bvhSortedKeys(t, a, b, c);
   const bool isTaken = bvhTestTriangle(t, a, b, c, isTriangle, isAnyHit);
 
-  const bool descends = !isTriangle && keys.x != kBvhMiss;
+  const bool isMesh = kHasInstances && (c.w & kBvhInstance) != 0u;
+  const bool descends = !isTriangle && !isMesh && keys.x != kBvhMiss;
   const bool isChained = isTriangle && b.w != 0u;
-  const bool takesSibling = !descends && !isChained;
+  const bool takesSibling = !descends && !isChained && !isMesh;
   const bool hasSiblings = t.siblings >= 2u * kBvhNoSiblings;
   bvhStack[t.depth] = t.siblings;
-  t.depth += descends && hasSiblings ? 1u : 0u;
+  t.depth += (descends || isMesh) && hasSiblings ? 1u : 0u;
   const bool pops = takesSibling && !hasSiblings;
+  if (kHasInstances) t.nextMesh = isMesh ? a.w : pops && t.depth == t.floorDepth ? 0u : kNone;
   const uint top = bvhStack[max(t.depth, 1u) - 1u];
   const bool isOver = (pops && t.depth == 0u) || (isAnyHit && isTaken);
   t.depth -= pops ? 1u : 0u;
@@ -158,6 +225,7 @@ Hit traceClosest(vec3 origin, vec3 direction, float tMax, uint rayId) {
   bool isOver;
   do {
     isOver = stepTraversal(t, false);
+    if (isAtMesh(t)) changeMesh(t);
   } while (!isOver);
   return traversalHit(t);
 }
@@ -169,6 +237,7 @@ bool isOccluded(vec3 origin, vec3 direction, float tMax, uint rayId) {
   bool isOver;
   do {
     isOver = stepTraversal(t, true);
+    if (isAtMesh(t)) changeMesh(t);
   } while (!isOver);
   return t.hit.triangle != kNone;
 }

@@ -1,5 +1,5 @@
-// The bounding volume hierarchy: one array of records of 48 bytes, each a node or a triangle, so that a step of
-// the traversal is the same fetch of three texels for either.
+// The bounding volume hierarchy: one array of records of 48 bytes, each a node, a triangle or a placed mesh, so that a
+// step of the traversal is the same fetch of three texels for either.
 #ifndef IMPORTON_SHARED_BVH_DATA_H
 #define IMPORTON_SHARED_BVH_DATA_H
 #include "glsl_compat.h"
@@ -11,9 +11,10 @@ SHARED_CONST uint kBvhMaxDepth = 64u;   // nodes on a path from the root at most
 SHARED_CONST uint kBvhIndexBits = 24u;  // of record indices
 SHARED_CONST uint kBvhRecordTexels = 3u;
 
-// BvhNode::kind, BvhTriangle::kind
+// BvhNode::kind, BvhTriangle::kind, BvhInstance::kind
 SHARED_CONST uint kBvhInner = 0u;
 SHARED_CONST uint kBvhLeaf = 0x80000000u;
+SHARED_CONST uint kBvhInstance = 0x40000000u;
 SHARED_CONST uint kBvhTurnMask = 3u;  // BvhTriangle: how far its vertices are turned
 
 /// A node. Its children are the records firstChild + 0, 1, … of its slots; their boxes are rounded outwards to
@@ -42,6 +43,14 @@ struct BvhTriangle {
   uint next;  // record of the leaf's next triangle; 0: the last one
   vec3 v2;
   uint kind;  // kBvhLeaf | turn
+};
+
+/// A placed mesh as a leaf of the tree above all meshes. Its own tree, in object space, is among the same records.
+struct BvhInstance {
+  uint unused0[3];
+  uint instance;  // in the array of InstanceData, 1 or greater
+  uint unused1[7];
+  uint kind;  // kBvhInstance
 };
 
 SHARED_END

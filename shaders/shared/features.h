@@ -31,7 +31,8 @@ SHARED_CONST uint kSpecHasThicknessTextures = 106u;
 SHARED_CONST uint kSpecHasCutLights = 107u;     // masked or blended triangles that emit
 SHARED_CONST uint kSpecHasDeepTextures = 108u;  // with 16 bits a channel
 SHARED_CONST uint kSpecHasLightProfiles = 110u;
-SHARED_CONST uint kSpecHasSheets = 109u;  // open surfaces with a thickness, which absorb
+SHARED_CONST uint kSpecHasSheets = 109u;     // open surfaces with a thickness, which absorb
+SHARED_CONST uint kSpecHasInstances = 111u;  // meshes are placed, not all flattened
 // The job.
 SHARED_CONST uint kSpecEyeMode = 12u;  // kEyeImage, kEyeImportons, kEyePath
 SHARED_CONST uint kSpecHasCausticMap = 13u;

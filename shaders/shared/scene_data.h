@@ -26,6 +26,28 @@ struct Triangle {
   uint material;
 };
 
+// Numbers of triangles, as hits have them. Those of the world, up to the first mesh, are numbered as in the scene's
+// array. A triangle of a placed mesh has the number kPlacedTriangle + page · kPageTriangles + place in the page: the
+// pages of all instances are counted together, and each mesh's triangles fill pages of their own.
+SHARED_CONST uint kPlacedTriangle = 0x80000000u;
+SHARED_CONST uint kPageBits = 10u;
+SHARED_CONST uint kPageTriangles = 1u << kPageBits;
+SHARED_CONST uint kMostPages = (kPlacedTriangle >> kPageBits) - 1u;
+
+/// Where a mesh stands. The first one of the array stands for the world, where nothing is moved. Its placed vertices
+/// are exactly what float arithmetic makes of renderFromObject (lib/placed_point.glsl).
+struct InstanceData {
+  vec4 renderFromObject[3];  // rows
+  vec4 objectFromRender[3];
+  vec3 reach;          // m: no coordinate of the placed mesh is greater, nor is a sum of the terms that make it
+  uint firstNumber;    // of its first triangle
+  uint firstTriangle;  // in the scene's array
+  uint root;           // record of its tree
+  uint isMirrored;     // the front of its triangles is clockwise once they are placed
+  uint unused;
+};
+SHARED_CONST uint kInstanceTexels = 8u;
+
 // Material::flags
 SHARED_CONST uint kMaterialDoubleSided = 1u;
 SHARED_CONST uint kMaterialUnlit = 2u;

@@ -16,8 +16,6 @@ constexpr std::uint32_t kMaxBins = 32;
 constexpr std::uint32_t kParallelRange = 1u << 15;    // primitives from which on one node is worked on in parallel
 constexpr std::uint32_t kParallelSubtree = 1u << 11;  // primitives from which on children are separate tasks
 constexpr std::uint32_t kChunk = 1u << 12;            // primitives of a chunk in parallel partitioning
-// From this depth on nodes are halved, which at most kBvhIndexBits more levels take.
-constexpr std::uint32_t kMaxDepthOfSah = kBvhMaxDepth - kBvhIndexBits - 1;
 
 typedef std::int32_t Int4 __attribute__((vector_size(16)));
 
@@ -270,9 +268,9 @@ void Builder::build(std::uint32_t nodeIndex, int source, std::uint32_t first, st
   Split split;
   if (count == 2)
     split.cost = from[0].halfArea() + from[1].halfArea();  // nothing to choose
-  else if (depth < kMaxDepthOfSah)
+  else if (depth < options_.sahDepth)
     split = chooseSplit(from, count, map);
-  if (split.axis < 0 && depth < kMaxDepthOfSah && count > 2) noteCoincident(count);
+  if (split.axis < 0 && depth < options_.sahDepth && count > 2) noteCoincident(count);
   if (count <= options_.maxLeafPrimitives) {
     const float area = box.halfArea();
     const float leafCost = options_.intersectionCost * static_cast<float>(count) * area;

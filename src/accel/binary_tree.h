@@ -63,10 +63,12 @@ struct BinaryTreeOptions {
   std::uint32_t maxLeafPrimitives = 4;
   float traversalCost = 1.0f;     // of a step through a binary node, in units of
   float intersectionCost = 1.0f;  // a primitive's test
+  /// From this depth on nodes are halved, which takes as many more levels as the count of primitives has bits.
+  std::uint32_t sahDepth = kBvhMaxDepth - kBvhIndexBits - 1;
 };
 
 /// Builds over `boxes` (at least one). The same tree whatever the number
-/// of threads of the calling TBB arena. No path is longer than kBvhMaxDepth nodes. [Wald 2007, On fast
+/// of threads of the calling TBB arena. By default no path is longer than kBvhMaxDepth nodes. [Wald 2007, On fast
 /// construction of SAH-based bounding volume hierarchies]
 [[nodiscard]] BinaryTree buildBinaryTree(LargeVector<PrimitiveBox> boxes, const BinaryTreeOptions& options,
                                          BuildProgress& progress);

@@ -39,36 +39,40 @@ LargeVector<PrimitiveBox> makeBoxes(std::span<const vec3> positions, std::span<c
   return boxes;
 }
 
+Bvh encode(const BinaryTree& binary, const WideTree& wide, std::span<const vec3> positions,
+           std::span<const Triangle> triangles) {
+  return {encodeBvh(binary, wide, positions, triangles), wide.depth(), {}};
+}
+
 /// Decides on the top of the tree again, if paths don't become too long by that.
-LargeVector<BvhRecord> encodeImproved(BinaryTree& binary, std::span<const vec3> positions,
-                                      std::span<const Triangle> triangles) {
+Bvh encodeImproved(BinaryTree& binary, std::span<const vec3> positions, std::span<const Triangle> triangles) {
   const WideTreeOptions options{.listsLeavesFirst = true};
   TreeTop top(binary, {});
   top.improve();
   {
     const WideTree wide(binary, options);
-    if (wide.depth() <= kBvhMaxDepth) return encodeBvh(binary, wide, positions, triangles);
+    if (wide.depth() <= kBvhMaxDepth) return encode(binary, wide, positions, triangles);
   }
   top.undo();
-  return encodeBvh(binary, WideTree(binary, options), positions, triangles);
+  return encode(binary, WideTree(binary, options), positions, triangles);
 }
 
-LargeVector<BvhRecord> build(std::span<const vec3> positions, std::span<const Triangle> triangles, bool splits,
-                             BuildProgress& progress) {
-  if (triangles.empty()) return {makeBvhNode({}, 0)};
+Bvh build(std::span<const vec3> positions, std::span<const Triangle> triangles, bool splits,
+          const BinaryTreeOptions& options, BuildProgress& progress) {
+  if (triangles.empty()) return {{makeBvhNode({}, 0)}, 1, {}};
   bool isCut = false;
   const auto buildOver = [&](std::span<const std::uint32_t> chosen) {
     LargeVector<PrimitiveBox> boxes = makeBoxes(positions, triangles, chosen);
     const std::size_t whole = boxes.size();
     if (splits) boxes = splitTriangles(std::move(boxes), positions, triangles, {});
     isCut = boxes.size() > whole;
-    return buildBinaryTree(std::move(boxes), {}, progress);
+    return buildBinaryTree(std::move(boxes), options, progress);
   };
   BinaryTree binary = buildOver({});
   if (binary.coincident > kMaxCoincident) binary = buildOver(distinctTriangles(positions, triangles));
   // Among triangles along the axes it brings less than it costs shadow rays (docs/experiments/trees.md).
   if (isCut) return encodeImproved(binary, positions, triangles);
-  return encodeBvh(binary, WideTree(binary, {}), positions, triangles);
+  return encode(binary, WideTree(binary, {}), positions, triangles);
 }
 
 }  // namespace
@@ -77,7 +81,14 @@ Bvh buildBvh(std::span<const vec3> positions, std::span<const Triangle> triangle
   BuildProgress progress(options.progress, triangles.size());
   Bvh bvh;
   tbb::task_arena arena(threadCount(options.threads));
-  arena.execute([&] { bvh.nodes = build(positions, triangles, options.splits, progress); });
+  arena.execute([&] {
+    bvh = build(positions, triangles, options.splits, {}, progress);
+    if (bvh.depth <= options.mostDepth) return;
+    // A part of a triangle is a primitive, too: there are at most twice as many.
+    const auto bits = static_cast<std::uint32_t>(std::bit_width(2 * triangles.size()));
+    const std::uint32_t sahDepth = options.mostDepth > bits + 1 ? options.mostDepth - bits - 1 : 0;
+    bvh = build(positions, triangles, options.splits, {.sahDepth = sahDepth}, progress);
+  });
   progress.finish();
   return bvh;
 }

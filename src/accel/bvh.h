@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "base/large_vector.h"
 #include "shared/bvh_data.h"
@@ -17,6 +18,7 @@ struct BvhOptions {
   int threads = 0;                                // 0: all
   std::function<void(double fraction)> progress;  // called now and then from the calling thread; may be empty
   bool splits = true;                             // long diagonal triangles are cut where that pays
+  std::uint32_t mostDepth = kBvhMaxDepth;         // nodes on a path, at least 32
 };
 
 /// A BvhNode or a BvhTriangle: 48 bytes, three texels.
@@ -28,7 +30,9 @@ static_assert(sizeof(BvhNode) == sizeof(BvhRecord) && sizeof(BvhTriangle) == siz
 [[nodiscard]] inline BvhTriangle asTriangle(const BvhRecord& record) { return std::bit_cast<BvhTriangle>(record); }
 
 struct Bvh {
-  LargeVector<BvhRecord> nodes;  // nodes and triangles alike; the root first
+  LargeVector<BvhRecord> nodes;          // nodes and triangles alike; the root first
+  std::uint32_t depth = 0;               // nodes on the longest path
+  std::vector<std::uint32_t> meshRoots;  // of placed meshes: two_level.h
 };
 
 /// Builds over all triangles; those without area must have been dropped. Positions must be finite.

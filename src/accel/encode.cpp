@@ -66,11 +66,12 @@ Grid makeGrid(float low, float high) {
 
 float squaredLength(vec3 v) { return glm::dot(v, v); }
 
+/// `MakeLeaf` makes the record of a primitive from its index and the record of the leaf's next one.
+template <class MakeLeaf>
 class Encoder {
  public:
-  Encoder(const BinaryTree& binary, const WideTree& wide, std::span<const vec3> positions,
-          std::span<const Triangle> triangles, std::span<BvhRecord> records)
-      : binary_(binary), wide_(wide), positions_(positions), triangles_(triangles), records_(records) {}
+  Encoder(const BinaryTree& binary, const WideTree& wide, MakeLeaf makeLeaf, std::span<BvhRecord> records)
+      : binary_(binary), wide_(wide), makeLeaf_(makeLeaf), records_(records) {}
 
   /// The node itself as record `place`, and all below it from record `firstChild` on.
   void encode(std::uint32_t node, std::uint32_t place, std::uint32_t firstChild) const {
@@ -117,11 +118,8 @@ class Encoder {
   /// Its first triangle is record `record`, the rest from `spare` on. Returns what is spare then.
   std::uint32_t encodeLeaf(const BinaryNode& leaf, std::uint32_t record, std::uint32_t spare) const {
     for (std::uint32_t i = 0; i < leaf.count; ++i) {
-      const std::uint32_t triangle = binary_.order[leaf.first + i];
-      const Triangle& indices = triangles_[triangle];
       const std::uint32_t next = i + 1 < leaf.count ? spare++ : 0;
-      records_[record] =
-          makeBvhTriangle({positions_[indices.v0], positions_[indices.v1], positions_[indices.v2]}, triangle, next);
+      records_[record] = makeLeaf_(binary_.order[leaf.first + i], next);
       record = next;
     }
     return spare;
@@ -129,10 +127,18 @@ class Encoder {
 
   const BinaryTree& binary_;
   const WideTree& wide_;
-  std::span<const vec3> positions_;
-  std::span<const Triangle> triangles_;
+  MakeLeaf makeLeaf_;
   std::span<BvhRecord> records_;
 };
+
+template <class MakeLeaf>
+LargeVector<BvhRecord> encodeTree(const BinaryTree& binary, const WideTree& wide, MakeLeaf makeLeaf) {
+  const std::uint32_t count = 1 + (wide.isLeaf(0) ? binary.nodes[0].count : wide.recordsBelow(0));
+  checkBvhSize(count);
+  LargeVector<BvhRecord> records(count);
+  Encoder(binary, wide, makeLeaf, records).encode(0, 0, 1);
+  return records;
+}
 
 }  // namespace
 
@@ -193,15 +199,23 @@ bool hasChild(const BvhNode& node, std::uint32_t slot) {
   return ((node.lowX >> (8 * slot)) & 255u) <= ((node.highX >> (8 * slot)) & 255u);
 }
 
+void checkBvhSize(std::size_t records) {
+  if (records < 1u << kBvhIndexBits) return;
+  throw SceneError("too many triangles", "",
+                   fmt::format("use fewer than {} million", (1u << kBvhIndexBits) * 3 / 4 / 1000000));
+}
+
 LargeVector<BvhRecord> encodeBvh(const BinaryTree& binary, const WideTree& wide, std::span<const vec3> positions,
                                  std::span<const Triangle> triangles) {
-  const std::uint32_t count = 1 + (wide.isLeaf(0) ? binary.nodes[0].count : wide.recordsBelow(0));
-  if (count >= 1u << kBvhIndexBits)
-    throw SceneError("too many triangles", "",
-                     fmt::format("use fewer than {} million", (1u << kBvhIndexBits) * 3 / 4 / 1000000));
-  LargeVector<BvhRecord> records(count);
-  Encoder(binary, wide, positions, triangles, records).encode(0, 0, 1);
-  return records;
+  return encodeTree(binary, wide, [&](std::uint32_t triangle, std::uint32_t next) {
+    const Triangle& t = triangles[triangle];
+    return makeBvhTriangle({positions[t.v0], positions[t.v1], positions[t.v2]}, triangle, next);
+  });
+}
+
+LargeVector<BvhRecord> encodeBvh(const BinaryTree& binary, const WideTree& wide,
+                                 std::span<const BvhRecord> primitives) {
+  return encodeTree(binary, wide, [&](std::uint32_t primitive, std::uint32_t) { return primitives[primitive]; });
 }
 
 }  // namespace importon

@@ -20,9 +20,16 @@ namespace importon {
 [[nodiscard]] Box childBox(const BvhNode& node, std::uint32_t slot);
 [[nodiscard]] bool hasChild(const BvhNode& node, std::uint32_t slot);
 
+/// Throws SceneError when there are more records than their indices can tell.
+void checkBvhSize(std::size_t records);
+
 /// Records in depth-first order: the children of a node, then the rest of its leaves' triangles, then what is
 /// below each child. Throws SceneError when there are too many for their indices.
 [[nodiscard]] LargeVector<BvhRecord> encodeBvh(const BinaryTree& binary, const WideTree& wide,
                                                std::span<const vec3> positions, std::span<const Triangle> triangles);
+
+/// The same for a tree whose leaves have one primitive each: the records of their slots are given.
+[[nodiscard]] LargeVector<BvhRecord> encodeBvh(const BinaryTree& binary, const WideTree& wide,
+                                               std::span<const BvhRecord> primitives);
 
 }  // namespace importon

@@ -73,7 +73,10 @@ std::string featureLines(std::span<const FeatureRow> features, bool isModelled) 
 std::string summaryText(const Scene& scene, std::span<const FeatureRow> features) {
   const glm::dvec3 low = inWorld(scene, scene.boundsMin), high = inWorld(scene, scene.boundsMax);
   std::string text = fmt::format("scene      {}\n", scene.file.string());
-  text += fmt::format("triangles  {} ({} vertices)\n", scene.triangles.size(), scene.positions.size());
+  text += fmt::format("triangles  {} ({} vertices)\n", scene.shownTriangleCount(), scene.positions.size());
+  if (!scene.placed.isEmpty())
+    text += fmt::format("placed     {} instances of {} meshes of {} triangles in all\n", scene.placed.instances.size(),
+                        scene.placed.meshes.size(), scene.triangles.size() - scene.worldTriangleCount());
   text += fmt::format("materials  {}, textures {}\n", scene.materials.size(), scene.textures.size());
   text += fmt::format("bounds     {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} {:.6g} m\n", low.x, low.y, low.z, high.x,
                       high.y, high.z);
@@ -98,7 +101,8 @@ std::string summaryText(const Scene& scene, std::span<const FeatureRow> features
 std::string summaryJson(const Scene& scene, std::span<const FeatureRow> features) {
   const glm::dvec3 low = inWorld(scene, scene.boundsMin), high = inWorld(scene, scene.boundsMax);
   Json root{{"file", scene.file.string()},
-            {"triangles", scene.triangles.size()},
+            {"triangles", scene.shownTriangleCount()},
+            {"instances", scene.placed.instances.size()},
             {"vertices", scene.positions.size()},
             {"materials", scene.materials.size()},
             {"textures", scene.textures.size()},

@@ -1,9 +1,10 @@
 /// Writes the calls of compute shaders in C++, from what their SPIR-V modules say about themselves:
 ///   importon_describe_kernels FOLDER NAMESPACE SYMBOLS SHARED MODULE...
 /// FOLDER/include/NAMESPACE/ receives NAME.h for each NAME.spv, buffers.h and registry.h; FOLDER/registry.cpp defines
-/// what they declare. NAME.lean lies beside NAME.spv (optimise_module.cpp). SYMBOLS_NAME, SYMBOLS_NAME_end and
-/// SYMBOLS_NAME_lean_end stand about the words of both. Structs that a header of the folder SHARED declares are held to
-/// lie on the device as in C++. Files that would not change are left as they are.
+/// what they declare. NAME.lean and NAME.placed lie beside NAME.spv (optimise_module.cpp). SYMBOLS_NAME,
+/// SYMBOLS_NAME_end, SYMBOLS_NAME_lean_end and SYMBOLS_NAME_placed_end stand about the words of the three. Structs that
+/// a header of the folder SHARED declares are held to lie on the device as in C++. Files that would not change are left
+/// as they are.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <spirv_cross/spirv_cross_c.h>
@@ -276,7 +277,8 @@ std::string describeCode(const std::string& symbols, const Module& module) {
   if (!module.rare.empty())
     text += fmt::format("static constexpr std::uint32_t kRareOf{}[] = {{{}}};\n", type, fmt::join(module.rare, ", "));
   return text + fmt::format(
-                    "const gpu::KernelCode {0}::kCode{{\"{1}\", {2}_{1}, {2}_{1}_end, {2}_{1}_lean_end, {3}, {4}, {5}, "
+                    "const gpu::KernelCode {0}::kCode{{\"{1}\", {2}_{1}, {2}_{1}_end, {2}_{1}_lean_end, "
+                    "{2}_{1}_placed_end, {3}, {4}, {5}, "
                     "{6}, {7}}};\n",
                     type, module.name, symbols, module.rare.empty() ? "{}" : "kRareOf" + type,
                     buffers.empty() ? "{}" : "kBuffersOf" + type, module.pushBytes, module.workgroupSize,
@@ -321,8 +323,9 @@ void run(const std::vector<std::string>& arguments) {
     for (const Binding& buffer : module.buffers) names.insert(buffer.name);
     writeFile(folder / "include" / space / (name + ".h"), describeCall(space, module));
     includes += fmt::format("#include \"{}/{}.h\"\n", space, name);
-    declarations +=
-        fmt::format("extern \"C\" const std::uint32_t {0}_{1}[], {0}_{1}_end[], {0}_{1}_lean_end[];\n", symbols, name);
+    declarations += fmt::format(
+        "extern \"C\" const std::uint32_t {0}_{1}[], {0}_{1}_end[], {0}_{1}_lean_end[], {0}_{1}_placed_end[];\n",
+        symbols, name);
     codes += describeCode(symbols, module);
     list += fmt::format("    &{}::kCode,\n", typeName(name));
   }

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "gpu/kernel_impl.h"
 #include "gpu/vulkan_error.h"
+#include "shared/features.h"
 
 namespace importon::gpu {
 namespace {
@@ -74,12 +75,15 @@ PipelineLayoutHandle createPipelineLayout(Device& device, const std::string& lab
   return {device.handle(), layout};
 }
 
-/// The words to give to a driver: of the lean module where every rare constant is 0.
+/// The words to give to a driver: of the lean module where every rare constant is 0, or of that for placed meshes where
+/// all others are.
 std::span<const std::uint32_t> moduleFor(const KernelCode& code, std::span<const Specialization> constants) {
   const auto isZero = [&](std::uint32_t id) {
     return std::ranges::any_of(constants, [id](const Specialization& s) { return s.id == id && s.value == 0; });
   };
-  return !code.lean().empty() && std::ranges::all_of(code.rare, isZero) ? code.lean() : code.spirv();
+  if (!code.lean().empty() && std::ranges::all_of(code.rare, isZero)) return code.lean();
+  const auto isNotAsked = [&](std::uint32_t id) { return id == kSpecHasInstances || isZero(id); };
+  return !code.placed().empty() && std::ranges::all_of(code.rare, isNotAsked) ? code.placed() : code.spirv();
 }
 
 ShaderModuleHandle createModule(Device& device, const std::string& label, std::span<const std::uint32_t> spirv) {

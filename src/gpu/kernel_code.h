@@ -19,6 +19,7 @@ struct KernelCode {
   std::string_view name;  // of its file, without .comp
   const std::uint32_t *begin, *end;
   const std::uint32_t* leanEnd;           // words of the lean module (optimise_module.cpp) follow the others; none: end
+  const std::uint32_t* placedEnd;         // and after them those of the one for placed meshes; none: leanEnd
   std::span<const std::uint32_t> rare;    // ids of the specialization constants that the lean module takes for 0
   std::span<const KernelBuffer> buffers;  // by slot
   std::uint32_t pushConstantBytes;
@@ -27,6 +28,7 @@ struct KernelCode {
 
   [[nodiscard]] std::span<const std::uint32_t> spirv() const { return {begin, end}; }
   [[nodiscard]] std::span<const std::uint32_t> lean() const { return {end, leanEnd}; }
+  [[nodiscard]] std::span<const std::uint32_t> placed() const { return {leanEnd, placedEnd}; }
 };
 
 }  // namespace importon::gpu

@@ -1,14 +1,16 @@
 /// Makes a SPIR-V module small before a driver sees it:
-///   importon_optimise_module MODULE OPTIMISED LEAN [FOLDER]
+///   importon_optimise_module MODULE OPTIMISED LEAN PLACED [FOLDER]
 /// A driver specialises a module whenever a program starts, and many do it after inlining all functions: here that is
 /// done once, with the constants left open. LEAN is the same module with the constants of rare features
 /// (kSpecFirstRare) taken for false, or an empty file if it has none: what most scenes never need is not in it at all.
+/// PLACED is that for scenes that need kSpecHasInstances alone of these, or an empty file where it makes no difference.
 /// Throws at a module that is not valid for Vulkan 1.2 with scalar block layout. FOLDER keeps what was made, for builds
 /// that make the same: it takes seconds.
 #include <spirv_cross/spirv.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -58,11 +60,14 @@ void write(const std::filesystem::path& file, const Words& words) {
   if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
 }
 
-/// The module with its rare constants, which are Booleans, as the constant false; empty: it has none. Decorations come
-/// before constants. [SPIR-V 1.5, 2.4]
-Words withoutRare(const Words& module) {
+enum class Instances { left, taken };  // out, or for true
+
+/// The module with its rare constants, which are Booleans, as the constant false, but for that of instances; empty: it
+/// has none, or none of instances to take for true. Decorations come before constants. [SPIR-V 1.5, 2.4]
+Words withoutRare(const Words& module, Instances instances) {
   Words lean(module.begin(), module.begin() + kHeaderWords);
   std::set<std::uint32_t> rare;
+  std::uint32_t placed = 0;  // id of the constant of instances
   for (std::uint32_t at = kHeaderWords, count = 0; at < module.size(); at += count) {
     count = module[at] >> SpvWordCountShift;
     const std::uint32_t operation = module[at] & SpvOpCodeMask;
@@ -70,14 +75,18 @@ Words withoutRare(const Words& module) {
     if (operation == SpvOpDecorate && module[at + 2] == SpvDecorationSpecId &&
         module[at + 3] >= importon::kSpecFirstRare) {
       rare.insert(module[at + 1]);
+      if (module[at + 3] == importon::kSpecHasInstances) placed = module[at + 1];
       continue;
     }
     const std::size_t to = lean.size();
     lean.insert(lean.end(), module.begin() + at, module.begin() + at + count);
-    if ((operation == SpvOpSpecConstantTrue || operation == SpvOpSpecConstantFalse) && rare.contains(module[at + 2]))
-      lean[to] = count << SpvWordCountShift | SpvOpConstantFalse;
+    if ((operation == SpvOpSpecConstantTrue || operation == SpvOpSpecConstantFalse) && rare.contains(module[at + 2])) {
+      const bool isTrue = instances == Instances::taken && module[at + 2] == placed;
+      lean[to] = count << SpvWordCountShift | (isTrue ? SpvOpConstantTrue : SpvOpConstantFalse);
+    }
   }
-  return rare.empty() ? Words() : lean;
+  const bool isWanted = instances == Instances::taken ? placed != 0 : !rare.empty();
+  return isWanted ? lean : Words();
 }
 
 void tell(spv_message_level_t, const char*, const spv_position_t& at, const char* message) {
@@ -101,13 +110,14 @@ Words optimised(const Words& module) {
   return result;
 }
 
-struct Modules {
-  Words whole, lean;
-};
+/// Whole, lean and placed.
+using Modules = std::array<Words, 3>;
 
-Modules optimisedBoth(const Words& module) {
-  const Words lean = withoutRare(module);
-  return {optimised(module), lean.empty() ? lean : optimised(lean)};
+Modules optimisedAll(const Words& module) {
+  Modules modules{module, withoutRare(module, Instances::left), withoutRare(module, Instances::taken)};
+  for (Words& each : modules)
+    if (!each.empty()) each = optimised(each);
+  return modules;
 }
 
 /// By all that a result depends on.
@@ -121,19 +131,28 @@ std::filesystem::path fileFor(const Words& module, const std::filesystem::path& 
   return folder / name.str();
 }
 
-/// Of what keep() wrote; both empty if there is nothing.
+/// Of what keep() wrote; all empty if there is nothing.
 Modules readKept(const std::filesystem::path& file) {
   const Words words = read(file);
-  if (words.empty() || words[0] >= words.size()) return {};
-  const auto middle = words.begin() + 1 + words[0];
-  return {Words(words.begin() + 1, middle), Words(middle, words.end())};
+  Modules modules;
+  auto at = words.begin();
+  for (Words& each : modules) {
+    const auto left = static_cast<std::size_t>(words.end() - at);
+    if (left == 0 || *at >= left) return {};
+    const std::uint32_t size = *at++;
+    each.assign(at, at + size);
+    at += size;
+  }
+  return modules;
 }
 
-/// Other builds see the whole file or none.
+/// Each with its size before it. Other builds see the whole file or none.
 void keep(const Modules& modules, const std::filesystem::path& file) {
-  Words words{static_cast<std::uint32_t>(modules.whole.size())};
-  words.insert(words.end(), modules.whole.begin(), modules.whole.end());
-  words.insert(words.end(), modules.lean.begin(), modules.lean.end());
+  Words words;
+  for (const Words& each : modules) {
+    words.push_back(static_cast<std::uint32_t>(each.size()));
+    words.insert(words.end(), each.begin(), each.end());
+  }
   std::filesystem::create_directories(file.parent_path());
   const std::filesystem::path part = file.string() + "." + std::to_string(getpid());
   write(part, words);
@@ -143,8 +162,8 @@ void keep(const Modules& modules, const std::filesystem::path& file) {
 Modules optimisedOnce(const Words& module, const std::filesystem::path& folder) {
   const std::filesystem::path file = fileFor(module, folder);
   Modules modules = readKept(file);
-  if (modules.whole.empty()) {
-    modules = optimisedBoth(module);
+  if (modules[0].empty()) {
+    modules = optimisedAll(module);
     keep(modules, file);
   }
   return modules;
@@ -154,12 +173,11 @@ Modules optimisedOnce(const Words& module, const std::filesystem::path& folder) 
 
 int main(int count, char** arguments) {
   try {
-    if (count != 4 && count != 5) throw std::runtime_error("MODULE OPTIMISED LEAN [FOLDER] are wanted");
+    if (count != 5 && count != 6) throw std::runtime_error("MODULE OPTIMISED LEAN PLACED [FOLDER] are wanted");
     const Words module = read(arguments[1]);
     if (module.size() < kHeaderWords) throw std::runtime_error("no module");
-    const Modules modules = count == 5 ? optimisedOnce(module, arguments[4]) : optimisedBoth(module);
-    write(arguments[2], modules.whole);
-    write(arguments[3], modules.lean);
+    const Modules modules = count == 6 ? optimisedOnce(module, arguments[5]) : optimisedAll(module);
+    for (std::size_t i = 0; i < modules.size(); ++i) write(arguments[2 + i], modules[i]);
     return 0;
   } catch (const std::exception& error) {
     std::cerr << "importon_optimise_module: " << (count > 1 ? arguments[1] : "") << ": " << error.what() << "\n";

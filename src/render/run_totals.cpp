@@ -72,7 +72,7 @@ void RunTotals::finish(int passes, const PhotonSystem& caustic, const PhotonSyst
   stats.deviceName = gpu.info().name;
   stats.deviceDriver = gpu.info().driver;
   stats.deviceType = gpu.info().type;
-  stats.triangles = context_.scene.triangles.size();
+  stats.triangles = context_.scene.shownTriangleCount();
   stats.lights = context_.scene.lights.size();
   for (const FeatureRow& row : describeFeatures(context_.scene, context_.job))
     if (row.isModelled) stats.features.push_back(row.name);

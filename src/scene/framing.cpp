@@ -25,13 +25,19 @@ dvec3 facing(const Scene& scene) {
   constexpr double kAgreeing = 0.5, kFlat = 0.8;
   dvec3 sum(0.0), sizes(0.0);
   double area = 0;
-  for (const Triangle& t : scene.triangles) {
+  for (const Triangle& t : scene.worldTriangles()) {
     const dvec3 a(scene.positions[t.v0]);
     const dvec3 normal = glm::cross(dvec3(scene.positions[t.v1]) - a, dvec3(scene.positions[t.v2]) - a);
     sum += normal;
     sizes += glm::abs(normal);
     area += glm::length(normal);
   }
+  scene.placed.visitPages([&](const PlacedInstance&, const Placement& placement, const MeshPage& page) {
+    const glm::dmat3 cofactors = placement.cofactors();
+    sum += 2.0 * (cofactors * page.vectorArea) * (glm::determinant(placement.linear) < 0 ? -1.0 : 1.0);
+    area += 2 * page.areas.areaAfter(cofactors);
+    for (int axis = 0; axis < 3; ++axis) sizes[axis] += 2 * page.areas.areaSeenAlong(axis, cofactors);
+  });
   if (glm::length(sum) > kAgreeing * area) return glm::normalize(sum);
   for (int axis = 0; axis < 3; ++axis) {
     dvec3 unit(0.0);
@@ -78,13 +84,17 @@ Camera framingCamera(const Scene& scene, double aspect) {
               up = glm::cross(backward, right);
   const double high = kShown * std::tan(camera.yfov / 2), wide = high * aspect;
   Fit across, along;
-  for (const Triangle& t : scene.triangles) {
-    for (const uint vertex : {t.v0, t.v1, t.v2}) {
-      const dvec3 p(scene.positions[vertex]);
-      across.add(glm::dot(p, right), glm::dot(p, backward), wide);
-      along.add(glm::dot(p, up), glm::dot(p, backward), high);
-    }
-  }
+  const auto fit = [&](const dvec3& p) {
+    across.add(glm::dot(p, right), glm::dot(p, backward), wide);
+    along.add(glm::dot(p, up), glm::dot(p, backward), high);
+  };
+  for (const Triangle& t : scene.worldTriangles())
+    for (const uint vertex : {t.v0, t.v1, t.v2}) fit(dvec3(scene.positions[vertex]));
+  scene.placed.visitPages([&](const PlacedInstance&, const Placement& placement, const MeshPage& page) {
+    for (uint corner = 0; corner < 8; ++corner)
+      fit(placement(vec3((corner & 1u) != 0 ? page.high.x : page.low.x, (corner & 2u) != 0 ? page.high.y : page.low.y,
+                         (corner & 4u) != 0 ? page.high.z : page.low.z)));
+  });
   const double back = std::max(across.back(wide), along.back(high));
   const dvec3 eye = right * across.side() + up * along.side() + backward * back + scene.worldFromRender;
   camera.worldFromCamera =

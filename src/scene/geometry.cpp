@@ -23,11 +23,11 @@ bool isUsable(const glm::dvec3& p) {
          std::abs(p.z) <= kLargestCoordinate;
 }
 
-/// Transforms of one instance.
+/// Transforms of one instance, or of none.
 class InstanceFrame {
  public:
-  explicit InstanceFrame(const MeshInstance& instance)
-      : worldFromObject_(instance.worldFromObject), linear_(instance.worldFromObject) {
+  explicit InstanceFrame(const glm::dmat4& worldFromObject)
+      : worldFromObject_(worldFromObject), linear_(worldFromObject) {
     isMirrored_ = glm::determinant(linear_) < 0;
     // The cofactors are the inverse transpose times the determinant: they exist for flattening transforms too.
     cofactors_ = glm::dmat3(glm::cross(linear_[1], linear_[2]), glm::cross(linear_[2], linear_[0]),
@@ -62,16 +62,14 @@ class InstanceFrame {
   bool isMirrored_ = false;
 };
 
-/// Bounds of all usable vertices, in the world.
-void worldBounds(std::span<const MeshInstance> instances, glm::dvec3& low, glm::dvec3& high) {
-  for (const MeshInstance& instance : instances) {
-    const InstanceFrame frame(instance);
-    for (const vec3& position : instance.part->positions) {
-      const glm::dvec3 world = frame.worldPosition(position);
-      if (!isUsable(world)) continue;
-      low = glm::min(low, world);
-      high = glm::max(high, world);
-    }
+/// Includes all usable vertices of an instance, in the world.
+void includeVertices(const MeshInstance& instance, glm::dvec3& low, glm::dvec3& high) {
+  const InstanceFrame frame(instance.worldFromObject);
+  for (const vec3& position : instance.part->positions) {
+    const glm::dvec3 world = frame.worldPosition(position);
+    if (!isUsable(world)) continue;
+    low = glm::min(low, world);
+    high = glm::max(high, world);
   }
 }
 
@@ -86,17 +84,15 @@ class Assembler {
  public:
   Assembler(Scene& scene, const std::string& name) : scene_(scene), name_(name) {}
 
+  /// Of the world.
   void append(const MeshInstance& instance) {
-    const InstanceFrame frame(instance);
-    const std::size_t first = scene_.positions.size();
-    const std::size_t count = instance.part->positions.size();
-    scene_.positions.resize(first + count);
-    scene_.vertices.resize(first + count);
-    isUsable_.assign(count, 1);
-    parallelFor(count, kGrain, 0, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) writeVertex(*instance.part, frame, i, first);
-    });
-    appendTriangles(instance, frame.isMirrored(), first);
+    append(*instance.part, InstanceFrame(instance.worldFromObject), scene_.worldFromRender, instance.material);
+  }
+  /// In its own space. Returns its first triangle.
+  std::size_t appendMesh(const MeshPart& part, uint material) {
+    const std::size_t first = scene_.triangles.size();
+    append(part, InstanceFrame(glm::dmat4(1.0)), glm::dvec3(0.0), material);
+    return first;
   }
 
   void warn(Log& log) const {
@@ -118,10 +114,22 @@ class Assembler {
   [[nodiscard]] std::size_t dropped() const { return nonFinite_ + withoutArea_; }
 
  private:
-  void writeVertex(const MeshPart& part, const InstanceFrame& frame, std::size_t i, std::size_t first) {
+  void append(const MeshPart& part, const InstanceFrame& frame, const glm::dvec3& origin, uint material) {
+    const std::size_t first = scene_.positions.size(), count = part.positions.size();
+    scene_.positions.resize(first + count);
+    scene_.vertices.resize(first + count);
+    isUsable_.assign(count, 1);
+    parallelFor(count, kGrain, 0, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) writeVertex(part, frame, origin, i, first);
+    });
+    appendTriangles(part, frame.isMirrored(), material, first);
+  }
+
+  void writeVertex(const MeshPart& part, const InstanceFrame& frame, const glm::dvec3& origin, std::size_t i,
+                   std::size_t first) {
     const glm::dvec3 world = frame.worldPosition(part.positions[i]);
     isUsable_[i] = isUsable(world) ? 1 : 0;
-    scene_.positions[first + i] = isUsable(world) ? vec3(world - scene_.worldFromRender) : vec3(0.0f);
+    scene_.positions[first + i] = isUsable(world) ? vec3(world - origin) : vec3(0.0f);
     Vertex& vertex = scene_.vertices[first + i];
     vertex.uv0 = usableUv(part.uv0, i);
     vertex.uv1 = usableUv(part.uv1, i);
@@ -139,9 +147,9 @@ class Assembler {
     return vec2(0.0f);
   }
 
-  void appendTriangles(const MeshInstance& instance, bool isMirrored, std::size_t first) {
+  void appendTriangles(const MeshPart& part, bool isMirrored, uint material, std::size_t first) {
     const auto base = static_cast<uint>(first);
-    for (uvec3 corners : instance.part->triangles) {
+    for (uvec3 corners : part.triangles) {
       if (isMirrored) std::swap(corners.y, corners.z);
       if (isUsable_[corners.x] == 0 || isUsable_[corners.y] == 0 || isUsable_[corners.z] == 0) {
         ++nonFinite_;
@@ -152,7 +160,7 @@ class Assembler {
         ++withoutArea_;
         continue;
       }
-      scene_.triangles.push_back({corners.x, corners.y, corners.z, instance.material});
+      scene_.triangles.push_back({corners.x, corners.y, corners.z, material});
     }
   }
 
@@ -172,15 +180,35 @@ class Assembler {
   std::atomic<std::size_t> badUvs_ = 0;
 };
 
+/// Before anything is written.
+void checkSize(std::span<const MeshInstance> flat, const std::string& name) {
+  constexpr std::size_t kMost = std::size_t{1} << 26;
+  std::size_t vertices = 0, triangles = 0;
+  for (const MeshInstance& instance : flat) {
+    vertices += instance.part->positions.size();
+    triangles += instance.part->triangles.size();
+  }
+  if (vertices <= kMost && triangles <= kMost) return;
+  throw SceneError(fmt::format("the scene has more than {} triangles or vertices, instances included", kMost), name,
+                   "reduce the scene");
+}
+
 void setBounds(Scene& scene) {
   scene.boundsMin = vec3(std::numeric_limits<float>::max());
   scene.boundsMax = -scene.boundsMin;
-  for (const Triangle& triangle : scene.triangles) {
+  for (const Triangle& triangle : scene.worldTriangles()) {
     for (const uint corner : {triangle.v0, triangle.v1, triangle.v2}) {
       scene.boundsMin = glm::min(scene.boundsMin, scene.positions[corner]);
       scene.boundsMax = glm::max(scene.boundsMax, scene.positions[corner]);
     }
   }
+  if (scene.placed.isEmpty()) return;
+  glm::dvec3 low(scene.boundsMin), high(scene.boundsMax);
+  scene.placed.visitPages([&](const PlacedInstance&, const Placement& placement, const MeshPage& page) {
+    placement.includeBox(page.low, page.high, low, high);
+  });
+  scene.boundsMin = vec3(low);
+  scene.boundsMax = vec3(high);
 }
 
 }  // namespace
@@ -198,13 +226,18 @@ glm::dvec3 chooseOrigin(const glm::dvec3& low, const glm::dvec3& high) {
   return rounded;
 }
 
-void assembleGeometry(std::span<const MeshInstance> instances, Scene& scene, const std::string& name, Log& log) {
+void assembleGeometry(std::span<const MeshInstance> instances, Scene& scene, const std::string& name, Log& log,
+                      const KeepRule& rule) {
+  const MeshKeeper keeper(instances, rule);
+  checkSize(keeper.flat(), name);
   glm::dvec3 low(kLargestCoordinate);
   glm::dvec3 high(-kLargestCoordinate);
-  worldBounds(instances, low, high);
+  for (const MeshInstance& instance : keeper.flat()) includeVertices(instance, low, high);
+  keeper.includeKept(low, high);
   if (low.x <= high.x) scene.worldFromRender = chooseOrigin(low, high);
   Assembler assembler(scene, name);
-  for (const MeshInstance& instance : instances) assembler.append(instance);
+  for (const MeshInstance& instance : keeper.flat()) assembler.append(instance);
+  keeper.place(scene, [&](const MeshPart& part, uint material) { return assembler.appendMesh(part, material); });
   assembler.warn(log);
   if (scene.triangles.empty()) {
     const char* what = assembler.dropped() > 0 ? "no triangle is left to render" : "the scene has no triangle";

@@ -138,13 +138,16 @@ Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem
   MeshLibrary library(document, log);
   std::vector<MeshInstance> instances = library.instances(nodes);
   MaterialSet set = readUsedMaterials(document, instances, log);
-  for (MeshInstance& instance : instances) instance.material = sceneMaterial(set, *instance.part);
+  for (MeshInstance& instance : instances) {
+    instance.material = sceneMaterial(set, *instance.part);
+    instance.emits = (set.materials[instance.material].flags & kMaterialEmissive) != 0;
+  }
   completeAttributes(library, set, document.source.name(), log);
   useSheets(instances, set);
 
   Scene scene;
   scene.file = name;
-  assembleGeometry(instances, scene, document.source.name(), log);
+  assembleGeometry(instances, scene, document.source.name(), log, options.keep);
   scene.texels = loadTexels(document, set, log);
   makeRoughnessTextures(set, scene.texels, document.source.name());
   scene.textures = std::move(set.textures);

@@ -124,7 +124,7 @@ float environmentPower(const vec3& radiance, float sceneRadius) {
 void addEmissiveTriangles(Scene& scene) {
   constexpr std::size_t kLightsPerTask = 256;
   std::vector<std::size_t> emitters;
-  for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
+  for (std::size_t i = 0; i < scene.worldTriangleCount(); ++i) {
     if ((scene.materials[scene.triangles[i].material].flags & kMaterialEmissive) != 0) emitters.push_back(i);
   }
   std::vector<Light> lights(emitters.size());
@@ -133,7 +133,7 @@ void addEmissiveTriangles(Scene& scene) {
   });
   for (const Light& light : lights) {
     if (!(light.power > 0)) continue;
-    if (scene.lightOfTriangle.empty()) scene.lightOfTriangle.assign(scene.triangles.size(), kNone);
+    if (scene.lightOfTriangle.empty()) scene.lightOfTriangle.assign(scene.worldTriangleCount(), kNone);
     scene.lightOfTriangle[light.triangle] = static_cast<uint>(scene.lights.size());
     scene.lights.push_back(light);
   }

@@ -4,6 +4,7 @@
 
 #include "scene/container/file_choices.h"
 #include "scene/container/uri.h"
+#include "scene/instances/keep_meshes.h"
 #include "scene/scene.h"
 
 namespace importon {
@@ -22,6 +23,8 @@ struct LoadOptions {
   double frameAspect = kFrameAspect;                         // width over height that a camera of our own frames for
   FileChoices file{};                                        // which scene and variant, how strictly read
   OutsideFiles outside = OutsideFiles::refused;              // may buffers and images lie outside the file's folder?
+
+  KeepRule keep{};  // which meshes are kept once for all their instances
 
   static constexpr double kFrameAspect = 4.0 / 3.0;
 };

@@ -3,9 +3,11 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "scene/instances/placed_meshes.h"
 #include "shared/scene_data.h"
 
 namespace importon {
@@ -29,19 +31,21 @@ struct EnvironmentMap {
   std::vector<vec3> texels;
 };
 
-/// Everything that a render needs. All instances are flattened into one list of triangles. Positions are in
-/// render space: world = render + worldFromRender, with the scene's centre near the origin.
+/// Everything that a render needs. Triangles come in one list: first those of the world, in render space (world is
+/// render plus worldFromRender, with the scene's centre near the origin), then those of meshes that stand in many
+/// places, each in its own space. What emits is always of the world.
 struct Scene {
   std::filesystem::path file;
-  std::vector<vec3> positions;   // per vertex, render space
+  std::vector<vec3> positions;   // per vertex, in the space of its triangles
   std::vector<Vertex> vertices;  // same length as positions
   std::vector<Triangle> triangles;
+  PlacedMeshes placed;
   std::vector<Material> materials;  // at least one: the glTF default material stands behind those of the file
   std::vector<std::string> materialNames;
   std::vector<Texture> textures;
   std::vector<uint> texels;           // RGBA8, or RGBA16 (Texture::isDeep)
   std::vector<Light> lights;          // emissive triangles, punctual lights, environment
-  std::vector<uint> lightOfTriangle;  // kNone where a triangle emits nothing; empty if no triangle emits
+  std::vector<uint> lightOfTriangle;  // of the world; kNone where a triangle emits nothing; empty if no triangle emits
   std::vector<Camera> cameras;
   glm::dvec3 worldFromRender{0.0};
   vec3 boundsMin{0}, boundsMax{0};  // render space
@@ -49,6 +53,19 @@ struct Scene {
   std::vector<std::string> sceneNames, variantNames;  // what the file offers to choose from
   bool isInStudio = false;                            // the environment is that of scene/studio.h
   bool hasCameraInFile = true;                        // false: cameras[0] was made to frame the scene
+
+  [[nodiscard]] std::size_t worldTriangleCount() const {
+    return placed.meshes.empty() ? triangles.size() : placed.meshes.front().firstTriangle;
+  }
+  [[nodiscard]] std::span<const Triangle> worldTriangles() const {
+    return std::span(triangles).first(worldTriangleCount());
+  }
+  /// Those of the world and of all instances.
+  [[nodiscard]] std::size_t shownTriangleCount() const {
+    std::size_t count = worldTriangleCount();
+    for (const PlacedInstance& instance : placed.instances) count += placed.meshes[instance.mesh].triangleCount;
+    return count;
+  }
 };
 
 }  // namespace importon

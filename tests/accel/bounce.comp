@@ -21,7 +21,8 @@ layout(push_constant, scalar) uniform Push {
 } push;
 
 uvec4 bvhNodeTexel(uint index) { return texelFetch(bvhTexels, int(index)); }
-bool acceptHit(uint triangle, vec2 barycentrics, uint rayId) { return true; }
+uvec4 instanceTexel(uint index) { return uvec4(0u); }
+bool acceptHit(uint stored, uint number, vec2 barycentrics, uint rayId) { return true; }
 
 #include "lib/traverse.glsl"
 

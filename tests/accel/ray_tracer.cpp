@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "render/device/kernel_variants.h"
+#include "render/device_scene/instances.h"
 #include "shared/features.h"
 
 namespace importon::test {
@@ -16,16 +17,20 @@ constexpr std::size_t kCounters = 64;
 
 RayTracer::RayTracer(gpu::Context& context, const Bvh& bvh) : RayTracer(context, bvh, false) {
   scene_.bvh = gpu::makeBuffer<BvhRecord>(context, "BVH", bvh.nodes, gpu::TexelFormat::uint4);
+  scene_.instances = gpu::makeBuffer<uvec4>(context, "instances", packInstances({}, {}), gpu::TexelFormat::uint4);
 }
 
 RayTracer::RayTracer(gpu::Context& context, const Bvh& bvh, const Scene& scene) : RayTracer(context, bvh, true) {
   scene_ = uploadScene(context, scene, bvh);
 }
 
-RayTracer::RayTracer(gpu::Context& context, const Bvh&, bool hasAlpha)
+RayTracer::RayTracer(gpu::Context& context, const Bvh& bvh, bool hasAlpha)
     : context_(context),
       invocations_(context.limits().isCpu ? 1u << 11 : 1u << 18),
-      kernels_(context, {{kSpecTraceInvocations, static_cast<std::uint32_t>(invocations_)}}, hasAlpha),
+      kernels_(context,
+               {{kSpecTraceInvocations, static_cast<std::uint32_t>(invocations_)},
+                {kSpecHasInstances, bvh.meshRoots.empty() ? 0u : 1u}},
+               hasAlpha),
       counters_(gpu::makeBuffer<std::uint32_t>(context, "counters", std::vector<std::uint32_t>(kCounters, 0))) {}
 
 void RayTracer::upload(std::span<const Ray> rays) {

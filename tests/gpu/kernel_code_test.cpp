@@ -75,6 +75,13 @@ TEST(KernelCode, HasALeanModuleWhereFeaturesAreRare) {
   EXPECT_TRUE(test_kernels::code("constants").rare.empty());
 }
 
+TEST(KernelCode, HasAModuleOfItsOwnForPlacedMeshes) {
+  EXPECT_TRUE(test_kernels::code("rare").placed().empty());
+  const KernelCode& code = kernels::code("eye_scatter");
+  EXPECT_LT(code.lean().size(), code.placed().size());
+  EXPECT_LT(code.placed().size(), code.spirv().size());
+}
+
 TEST(KernelCode, EveryKernelHasAModuleAndSlotsOfItsOwn) {
   for (const std::span<const KernelCode* const> all : {kernels::all(), test_kernels::all()}) {
     for (const KernelCode* code : all) {

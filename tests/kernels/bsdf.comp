@@ -7,6 +7,8 @@
 
 uvec4 vertexTexel(uint i) { return uvec4(i); }
 uvec4 triangleTexel(uint i) { return uvec4(i); }
+uvec4 instanceTexel(uint i) { return uvec4(i); }
+uint instanceOfPage(uint i) { return i; }
 uvec4 materialTexel(uint i) { return uvec4(i); }
 uvec4 textureTexel(uint i) { return uvec4(i); }
 uint imageTexel(uint i) { return i; }

@@ -3,6 +3,8 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-bool acceptHit(uint triangle, vec2 barycentrics, uint rayId) { return true; }
+uniform usamplerBuffer instancesTexels;
+uvec4 instanceTexel(uint i) { return texelFetch(instancesTexels, int(i)); }
+bool acceptHit(uint stored, uint number, vec2 barycentrics, uint rayId) { return true; }
 
 #include "bindings/trace.glsl"

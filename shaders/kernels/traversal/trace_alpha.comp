@@ -5,6 +5,8 @@
 #include "bindings/scene.glsl"
 #include "lib/alpha.glsl"
 
-bool acceptHit(uint triangle, vec2 barycentrics, uint rayId) { return isCovered(triangle, barycentrics, rayId); }
+bool acceptHit(uint stored, uint number, vec2 barycentrics, uint rayId) {
+  return isCovered(stored, number, barycentrics, rayId);
+}
 
 #include "bindings/trace.glsl"

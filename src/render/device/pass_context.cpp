@@ -7,6 +7,7 @@
 
 #include "accel/bvh.h"
 #include "base/clock.h"
+#include "render/device_scene/instances.h"
 #include "render/device_scene/media.h"
 
 namespace importon {
@@ -21,7 +22,7 @@ Bvh buildSceneBvh(const Scene& scene, const RenderJob& job, Log& log, double& se
   const auto progress = [&](double fraction) {
     if (secondsSince(start) > 1) log.progress(fmt::format("building the BVH: {:.0f} %", 100 * fraction));
   };
-  Bvh bvh = buildBvh(scene.positions, scene.triangles, {job.threads, progress});
+  Bvh bvh = buildSceneTree(scene, {job.threads, progress});
   log.endProgress();
   seconds = secondsSince(start);
   return bvh;

@@ -13,7 +13,7 @@ namespace importon {
 
 /// Surface cells of the pass at hand, by the names that kernels have for them.
 struct CellBuffers {
-  std::reference_wrapper<const gpu::Buffer> surfaceCells, cellPlaces, cellSums, cellIrradiances;
+  std::reference_wrapper<const gpu::Buffer> surfaceCells, placedCells, cellPlaces, cellSums, cellIrradiances;
 };
 
 /// Stand for what there is not: guides, a plan of samples, surface cells.
@@ -23,7 +23,7 @@ struct StandIns {
   gpu::Buffer guideRows, guideColumns, scatterGuides, samplePlan;
   gpu::Buffer surfaceCells, cells;
 
-  [[nodiscard]] CellBuffers noCells() const { return {surfaceCells, surfaceCells, cells, cells}; }
+  [[nodiscard]] CellBuffers noCells() const { return {surfaceCells, surfaceCells, surfaceCells, cells, cells}; }
 };
 
 /// Buffers that all phases share, by the names that kernels have for them.

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "render/device_scene/albedo_table.h"
+#include "render/device_scene/instances.h"
 #include "render/device_scene/light_tree.h"
 #include "render/device_scene/media.h"
 #include "render/plan/pass_plan.h"
@@ -171,6 +172,8 @@ DeviceScene uploadScene(gpu::Context& context, const Scene& scene, const Bvh& bv
   d.lightAlias = buffer(context, "light alias table", makeAliasTable(emissionWeights(scene)));
   d.lightOfTriangle = buffer(context, "light of triangle", scene.lightOfTriangle, TexelFormat::uint1);
   d.albedo = gpu::makeBuffer(context, "directional albedo", albedoTable(), TexelFormat::uint1);
+  d.instances = buffer(context, "instances", packInstances(scene.placed, bvh.meshRoots), TexelFormat::uint4);
+  d.instanceOfPage = buffer(context, "instances of pages", instancesOfPages(scene.placed), TexelFormat::uint1);
   const EnvironmentMap black{1, 1, {vec3(0.0f)}};
   const EnvironmentMap& environment = scene.environment ? *scene.environment : black;
   d.environment = buffer(context, "environment", packEnvironment(environment), TexelFormat::uint4);

@@ -12,6 +12,7 @@ namespace importon {
 struct DeviceScene {
   gpu::Buffer bvh, vertices, triangles, materials, textures, images, lights, lightAlias, lightOfTriangle, albedo;
   gpu::Buffer environment, environmentAliases, lightTree;
+  gpu::Buffer instances, instanceOfPage;
   double area = 0;  // m², of one side of all surfaces
 };
 

@@ -16,7 +16,8 @@ struct FeatureSet {
        hasTransmission = false, hasMedia = false, hasClearcoat = false, hasDiffuseTransmission = false,
        hasSheen = false, hasAnisotropy = false, hasIridescence = false, hasDispersion = false,
        hasThicknessTextures = false, hasTriangleLights = false, hasCutLights = false, hasPunctualLights = false,
-       hasEnvironment = false, hasDeepTextures = false, hasSheets = false, hasLightProfiles = false;
+       hasEnvironment = false, hasDeepTextures = false, hasSheets = false, hasLightProfiles = false,
+       hasInstances = false;
   bool needsCausticMap = false, readsCells = false, needsGlobalMap = false;
   uint pixelFilter = 0;        // kFilter*
   bool hasBackground = false;  // the camera sees another background than the environment

@@ -7,24 +7,10 @@
 namespace importon {
 namespace {
 
-constexpr int kLevels = 10;             // of the octree: three bits each
+constexpr int kLevels = kZOrderLevels;
 constexpr std::ptrdiff_t kFewest = 16;  // points in a cube
 
-std::uint32_t spread(std::uint32_t x) {
-  x = (x | x << 16) & 0x030000FFu;
-  x = (x | x << 8) & 0x0300F00Fu;
-  x = (x | x << 4) & 0x030C30C3u;
-  return (x | x << 2) & 0x09249249u;
-}
-
 }  // namespace
-
-std::uint32_t zOrderCode(vec3 position, vec3 origin, float extent) {
-  constexpr float kCells = 1 << kLevels;
-  const vec3 p = glm::clamp((position - origin) * (kCells / extent), vec3(0), vec3(kCells - 1));
-  return spread(static_cast<std::uint32_t>(p.x)) | spread(static_cast<std::uint32_t>(p.y)) << 1 |
-         spread(static_cast<std::uint32_t>(p.z)) << 2;
-}
 
 PointDensity::PointDensity(std::span<const vec3> points, std::span<const float> weights, vec3 origin, float extent)
     : origin_(origin), extent_(extent) {

@@ -4,14 +4,12 @@
 #include <span>
 #include <vector>
 
+#include "base/z_order.h"
 #include "scene/scene.h"
 
 namespace importon {
 
-/// Place of a point along a Z-order curve through the cube of edge `extent` (m) at `origin`. [Morton 1966]
-[[nodiscard]] std::uint32_t zOrderCode(vec3 position, vec3 origin, float extent);
-
-/// Points sorted along that curve.
+/// Points sorted along a Z-order curve.
 class PointDensity {
  public:
   /// `weights`: one per point. Points lie in the cube of edge `extent` (m) at `origin`.

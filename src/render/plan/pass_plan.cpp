@@ -157,9 +157,12 @@ PassSize PassPlan::sizeOf(int parts) const {
 
 double surfaceArea(const Scene& scene) {
   double area = 0;
-  for (const Triangle& t : scene.triangles)
+  for (const Triangle& t : scene.worldTriangles())
     area += 0.5 * glm::length(glm::cross(scene.positions[t.v1] - scene.positions[t.v0],
                                          scene.positions[t.v2] - scene.positions[t.v0]));
+  scene.placed.visitPages([&](const PlacedInstance&, const Placement& placement, const MeshPage& page) {
+    area += page.areas.areaAfter(placement.cofactors());
+  });
   return area;
 }
 

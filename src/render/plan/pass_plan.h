@@ -58,7 +58,7 @@ struct PassPlan {
 [[nodiscard]] PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2 size,
                                   const gpu::Limits& limits);
 
-/// m², of one side of all triangles.
+/// m², of one side of all triangles; of placed meshes with several scales nearly.
 [[nodiscard]] double surfaceArea(const Scene& scene);
 
 /// Parameters that hold for all passes: camera, scene, map settings.

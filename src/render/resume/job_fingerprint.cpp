@@ -28,6 +28,7 @@ std::uint64_t imageFingerprint(const RenderJob& job, const Scene& scene) {
   addArray(hash, scene.positions);
   addArray(hash, scene.vertices);
   addArray(hash, scene.triangles);
+  addArray(hash, scene.placed.instances);
   addArray(hash, scene.materials);
   addArray(hash, scene.textures);
   addArray(hash, scene.texels);

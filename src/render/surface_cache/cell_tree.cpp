@@ -17,14 +17,17 @@ class Grower {
   explicit Grower(const SurfaceCells& cells) : cells_(cells), cellCount_(static_cast<uint>(cells.areas.size())) {
     for (const float area : cells.areas) tree_.cells.push_back({kNone, std::bit_cast<uint>(area)});
     tree_.levels.push_back(0);
-    below_.resize(cells.triangles.size());
+    for (const std::vector<uvec2>* some : {&cells.triangles, &cells.placedGrids})
+      for (const uvec2& triangle : *some)
+        if (triangle.y > 1) grids_.push_back(triangle);
+    below_.resize(grids_.size());
   }
 
   CellTree grow() {
     uint edge = 1;
     for (const uint block : kBlocks) {
-      for (std::size_t i = 0; i < cells_.triangles.size(); ++i)
-        if (cells_.triangles[i].y > edge) groupTriangle(i, edge, block);
+      for (std::size_t i = 0; i < grids_.size(); ++i)
+        if (grids_[i].y > edge) groupTriangle(i, edge, block);
       tree_.levels.push_back(static_cast<uint>(tree_.groups.size()));
       edge = block;
     }
@@ -34,7 +37,7 @@ class Grower {
  private:
   /// Groups of all cells or, if `inner` > 1, blocks of that edge, in blocks of edge `outer`.
   void groupTriangle(std::size_t triangle, uint inner, uint outer) {
-    const uint n = cells_.triangles[triangle].y, ratio = outer / inner;
+    const uint n = grids_[triangle].y, ratio = outer / inner;
     const uint innerRows = (n - 1) / inner + 1, rows = (n - 1) / outer + 1;
     const uint first = static_cast<uint>(tree_.groups.size());
     for (uint row = 0; row < rows; ++row)
@@ -51,7 +54,7 @@ class Grower {
 
   /// Those of one step of the triangle's grid, an upright one and, but at the end of a row, an inverted one.
   float addCells(std::size_t triangle, uint row, uint column) {
-    const auto [first, n] = std::pair(cells_.triangles[triangle].x, cells_.triangles[triangle].y);
+    const auto [first, n] = std::pair(grids_[triangle].x, grids_[triangle].y);
     const uint cell = first + row * (2 * n - row) + 2 * column;
     const uint count = column + row + 1 < n ? 2 : 1;
     for (uint k = 0; k < count; ++k) {
@@ -70,7 +73,8 @@ class Grower {
   const SurfaceCells& cells_;
   uint cellCount_;
   CellTree tree_;
-  std::vector<uint> below_;  // first group of each triangle at the level before
+  std::vector<uvec2> grids_;  // first cell and n of each divided triangle
+  std::vector<uint> below_;   // first group of each of them at the level before
 };
 
 }  // namespace

@@ -16,7 +16,9 @@ class IrradianceMap {
   IrradianceMap(gpu::Context& context, const SurfaceCells& cells, float units, int firstPass);
 
   /// With the half of `pass`, for photons and for reading. Passes go to the halves in turn.
-  [[nodiscard]] CellBuffers cells(int pass) const { return {surface_, places_, halves_[half(pass)], irradiance_}; }
+  [[nodiscard]] CellBuffers cells(int pass) const {
+    return {surface_, placed_, places_, halves_[half(pass)], irradiance_};
+  }
   /// Adds the batch of hits in the workspace's records to the half of the workspace's cells.
   void addBatch(const Stage& stage) const;
   /// Makes what gather rays read of the half of the workspace's cells: irradiance averaged over groups of cells,
@@ -44,7 +46,7 @@ class IrradianceMap {
   int firstPass_, passes_ = 0;
   std::vector<uint> levels_;                                         // of groups, as in CellTree
   gpu::Buffer groups_, members_, places_, groupLight_, irradiance_;  // irradiance: what is read
-  gpu::Buffer surface_, totals_;
+  gpu::Buffer surface_, placed_, totals_;
   std::array<gpu::Buffer, 2> halves_;
 };
 

@@ -21,36 +21,38 @@ const std::vector<const MeshPart*>& MeshLibrary::partsOf(const tinygltf::Node& n
     std::vector<bool> hasVolume;
     for (const MeshPart& part : parts) hasVolume.push_back(boundsVolume(document_, part.material));
     splitOpenSurfaces(parts, hasVolume);
-    for (MeshPart& part : parts) entry->second.push_back(&parts_.emplace_back(std::move(part)));
+    for (MeshPart& part : parts) {
+      count(part);
+      entry->second.push_back(&parts_.emplace_back(std::move(part)));
+    }
   }
   return entry->second;
 }
 
-void MeshLibrary::count(const MeshPart& part, std::size_t copies) {
+/// Of what is held; instances are counted where they are flattened.
+void MeshLibrary::count(const MeshPart& part) {
   constexpr std::size_t kMost = std::size_t{1} << 26;
-  const std::size_t largest = std::max({part.positions.size(), part.triangles.size(), std::size_t{1}});
-  const bool fits = copies <= kMost / largest;
-  if (fits) {
-    vertices_ += part.positions.size() * copies;
-    triangles_ += part.triangles.size() * copies;
-  }
-  if (fits && vertices_ <= kMost && triangles_ <= kMost) return;
-  throw SceneError(fmt::format("the scene has more than {} triangles or vertices, instances included", kMost),
-                   document_.source.name(), "reduce the scene");
+  vertices_ += part.positions.size();
+  triangles_ += part.triangles.size();
+  if (vertices_ <= kMost && triangles_ <= kMost) return;
+  throw SceneError(fmt::format("the scene has more than {} triangles or vertices", kMost), document_.source.name(),
+                   "reduce the scene");
 }
 
 void MeshLibrary::addRigid(const MeshPart& part, const PlacedNode& placed,
                            const std::vector<glm::dmat4>& nodeFromInstances) {
-  count(part, nodeFromInstances.size());
+  if (nodeFromInstances.size() > kMostPages - std::min<std::size_t>(instances_.size(), kMostPages))
+    throw SceneError(fmt::format("the scene has more than {} instances of parts of meshes", kMostPages),
+                     document_.source.name(), "reduce the scene");
   for (const glm::dmat4& nodeFromInstance : nodeFromInstances) {
-    instances_.push_back({&part, placed.worldFromObject * nodeFromInstance, 0});
+    instances_.push_back({&part, placed.worldFromObject * nodeFromInstance});
   }
 }
 
 void MeshLibrary::addPosed(const MeshPart& part, const SkinPose& pose) {
-  count(part, 1);
+  count(part);
   parts_.push_back(posePart(part, pose, document_.source));
-  instances_.push_back({&parts_.back(), glm::dmat4(1.0), 0});
+  instances_.push_back({&parts_.back(), glm::dmat4(1.0)});
 }
 
 std::vector<MeshInstance> MeshLibrary::instances(std::span<const PlacedNode> nodes) {

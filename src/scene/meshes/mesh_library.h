@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/log.h"
-#include "scene/geometry.h"
+#include "scene/instances/keep_meshes.h"
 #include "scene/meshes/gltf_mesh.h"
 #include "scene/meshes/gltf_skin.h"
 #include "scene/nodes/gltf_nodes.h"
@@ -20,8 +20,8 @@ class MeshLibrary {
 
   /// An instance for each part of each mesh that `nodes` show, its material still 0. Nodes of one mesh and
   /// equal morph weights share parts; a skinned mesh is posed by its joints, in the world; EXT_mesh_gpu_instancing
-  /// gives several instances a node; hidden nodes give none. To be called once. Throws SceneError, also when there are
-  /// more than 2^26 triangles or vertices, instances included.
+  /// gives several instances a node; hidden nodes give none. To be called once. Throws SceneError, also when
+  /// parts have more than 2^26 triangles or vertices together, or more than kMostPages instances.
   [[nodiscard]] std::vector<MeshInstance> instances(std::span<const PlacedNode> nodes);
 
   /// All parts that instances refer to.
@@ -30,7 +30,7 @@ class MeshLibrary {
  private:
   using Variant = std::pair<std::size_t, std::vector<double>>;  // mesh, morph weights
   const std::vector<const MeshPart*>& partsOf(const tinygltf::Node& node);
-  void count(const MeshPart& part, std::size_t copies);
+  void count(const MeshPart& part);
   void addRigid(const MeshPart& part, const PlacedNode& placed, const std::vector<glm::dmat4>& nodeFromInstances);
   void addPosed(const MeshPart& part, const SkinPose& pose);
 
