@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "base/error.h"
 #include "base/z_order.h"
@@ -103,12 +104,13 @@ Placement placementOf(const MeshInstance& instance) {
 }  // namespace
 
 MeshKeeper::MeshKeeper(std::span<const MeshInstance> instances, const KeepRule& rule) {
-  std::map<const MeshPart*, std::size_t> copies;
+  using Kind = std::pair<const MeshPart*, uint>;  // part and material, which may differ with an instance's size
+  const auto kindOf = [](const MeshInstance& instance) { return Kind(instance.part, instance.material); };
+  std::map<Kind, std::size_t> copies, keptOf;
   for (const MeshInstance& instance : instances)
-    if (!instance.emits && canBePlaced(instance.worldFromObject)) ++copies[instance.part];
-  std::map<const MeshPart*, std::size_t> keptOf;
+    if (!instance.emits && canBePlaced(instance.worldFromObject)) ++copies[kindOf(instance)];
   for (const MeshInstance& instance : instances) {
-    const auto found = copies.find(instance.part);
+    const auto found = copies.find(kindOf(instance));
     const std::size_t triangles = instance.part->triangles.size();
     const bool isWorth = found != copies.end() && triangles >= kFewest &&
                          (found->second - 1) * triangles >= rule.leastSaved && !instance.emits &&
@@ -117,7 +119,7 @@ MeshKeeper::MeshKeeper(std::span<const MeshInstance> instances, const KeepRule& 
       flat_.push_back(instance);
       continue;
     }
-    const auto [entry, isNew] = keptOf.try_emplace(instance.part, kept_.size());
+    const auto [entry, isNew] = keptOf.try_emplace(kindOf(instance), kept_.size());
     if (isNew) {
       Kept kept{instance.part, instance.material, {}, {}, {}};
       if (!boundPart(*instance.part, kept.low, kept.high)) {
