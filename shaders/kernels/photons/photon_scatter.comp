@@ -79,7 +79,6 @@ void main() {
   keep[i] = 0u;
   records[at].kind = kRecordNone;
   if (ray.tMax <= 0.0 || hit.triangle == kNone) return;
-
   PathState path = paths[slot];
   Surface s = loadSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction);
   chooseChannel(s, path, ray.id, params.pass);

@@ -41,8 +41,8 @@ IrradianceMap::IrradianceMap(gpu::Context& context, const SurfaceCells& cells, c
       groupLight_(context, "light on cell groups", kBytesPerGroup * std::max<std::size_t>(tree.groups.size(), 1),
                   TexelFormat::uint4),
       irradiance_(context, "irradiance of cells", 2 * sizeof(uvec4) * cells.areas.size(), TexelFormat::uint4),
-      surface_(makeTexels(context, "surface cells", std::span<const uvec2>(cells.triangles), TexelFormat::uint2)),
-      placed_(makeTexels(context, "cells of placed meshes", std::span<const uvec2>(cells.placed), TexelFormat::uint2)),
+      tables_{makeTexels(context, "surface cells", std::span<const uvec2>(cells.triangles), TexelFormat::uint2),
+              makeTexels(context, "cells of placed meshes", std::span<const uvec2>(cells.placed), TexelFormat::uint2)},
       totals_(gpu::makeZeros(context, "irradiance totals", 6 * sizeof(uint))) {
   for (gpu::Buffer& half : halves_)
     half = gpu::makeZeros(context, "irradiance", 2 * kWordsPerSide * sizeof(uint) * cells.areas.size(),
@@ -88,8 +88,8 @@ PhotonMapCounts IrradianceMap::readFlux() const {
 
 std::uint64_t IrradianceMap::bytes() const {
   std::uint64_t bytes = 0;
-  for (const gpu::Buffer* buffer : {&surface_, &placed_, &halves_[0], &halves_[1], &groups_, &members_, &places_,
-                                    &groupLight_, &irradiance_, &totals_})
+  for (const gpu::Buffer* buffer : {&tables_.triangles, &tables_.placed, &halves_[0], &halves_[1], &groups_, &members_,
+                                    &places_, &groupLight_, &irradiance_, &totals_})
     bytes += buffer->allocatedBytes();
   return bytes;
 }

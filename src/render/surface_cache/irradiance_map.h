@@ -17,7 +17,7 @@ class IrradianceMap {
 
   /// With the half of `pass`, for photons and for reading. Passes go to the halves in turn.
   [[nodiscard]] CellBuffers cells(int pass) const {
-    return {surface_, placed_, places_, halves_[half(pass)], irradiance_};
+    return {tables_.triangles, tables_.placed, places_, halves_[half(pass)], irradiance_};
   }
   /// Adds the batch of hits in the workspace's records to the half of the workspace's cells.
   void addBatch(const Stage& stage) const;
@@ -46,7 +46,11 @@ class IrradianceMap {
   int firstPass_, passes_ = 0;
   std::vector<uint> levels_;                                         // of groups, as in CellTree
   gpu::Buffer groups_, members_, places_, groupLight_, irradiance_;  // irradiance: what is read
-  gpu::Buffer surface_, placed_, totals_;
+  /// Cells of triangles of the world, and of pages of placed meshes.
+  struct CellTables {
+    gpu::Buffer triangles, placed;
+  } tables_;
+  gpu::Buffer totals_;
   std::array<gpu::Buffer, 2> halves_;
 };
 
