@@ -85,7 +85,7 @@ TEST_F(Placed, MeshesGiveTheSameImageByPhotons) {
   for (const Material& material : {diffuse(vec3(0.7f)), glass(1.5f)}) {
     const Pair pair = pairOf(object(material));
     const RenderJob job = makeJob(Integrator::photon, 4);
-    EXPECT_TRUE(haveSameMean(meanOverSeeds(job, pair.placed, 12), meanOverSeeds(job, pair.flat, 12), 2));
+    EXPECT_TRUE(haveSameMean(meanOverSeeds(job, pair.placed, 6), meanOverSeeds(job, pair.flat, 6), 2));
   }
 }
 
