@@ -65,7 +65,7 @@ int loaded(const Bytes& whole, unsigned seed, int count) {
   return scenes;
 }
 
-constexpr int kCopies = 2000;
+constexpr int kCopies = 600;
 
 TEST(Mutation, TheWholeFileLoads) { EXPECT_EQ(errorOf(everything()), ""); }
 
