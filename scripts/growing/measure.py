@@ -88,7 +88,7 @@ class Bench:
         noise = errors[-1] / 2 if noise is None else noise
         least = [min(step[k]["seconds"] for step in steps) for k in range(len(errors))]  # other programs only add
         seconds = plain["seconds"]
-        phases = sum(seconds[name] for name in ("load", "bvh", "device", "importance", "photons", "gather"))
+        phases = sum(seconds[name] for name in ("load", "bvh", "device", "importance", "cells", "photons", "gather"))
         return Curve(member, [max(e - noise, 1e-9) for e in errors], least,
                      max(seconds["total"] - phases, 0), plain)
 

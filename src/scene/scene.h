@@ -31,6 +31,9 @@ struct EnvironmentMap {
   std::vector<vec3> texels;
 };
 
+/// Words of texels that a scene may have.
+constexpr std::size_t kMostTexels = std::size_t{1} << 28;
+
 /// Everything that a render needs. Triangles come in one list: first those of the world, in render space (world is
 /// render plus worldFromRender, with the scene's centre near the origin), then those of meshes that stand in many
 /// places, each in its own space. What emits is always of the world.

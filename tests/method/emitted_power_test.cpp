@@ -5,8 +5,8 @@
 
 #include "method/map_rig.h"
 #include "scene/lights.h"
-#include "scene/profiles/light_profile.h"
 #include "support/gpu_test.h"
+#include "support/profile_lamp.h"
 #include "support/scene_builder.h"
 
 namespace importon::emitted_power_test {
@@ -66,17 +66,10 @@ TEST_F(EmittedPower, OfALampWithAProfileIsTheIntegralOverIt) {
   const LightProfile profile = sampleProfile(IesProfile(Photometry::typeC, {0, 30, 120}, {0, 90}, {5, 8, 0, 5, 2, 0}));
   SceneBuilder builder;
   builder.box(builder.material(test::diffuse(vec3(0.5f))), {-1, -1, -1}, {1, 1, 1}, test::Facing::inside);
-  builder.pointLight({0.1, 0.5, 0}, vec3(static_cast<float>(profile.most)));
+  builder.pointLight({0.1, 0.5, 0}, vec3(1));
   builder.camera({0, 0, 0.9}, {0, 0, 0}, 1.0, 16, 16);
   Scene scene = builder.finish();
-  scene.textures = {textureOf(profile, 0)};
-  scene.texels = profile.texels;
-  Light& light = scene.lights.back();
-  light.kind = kLightProfile;
-  light.triangle = 0;
-  light.direction = vec3(0, -1, 0);
-  light.cosOuter = profile.cosOuter;
-  light.power = profilePower(light.emission, profile.shareIntegral);
+  test::shineByProfile(scene, profile, vec3(0, -1, 0));
   EXPECT_NEAR(ratio(scene), 1, 4e-3);
 }
 

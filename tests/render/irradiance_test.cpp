@@ -5,7 +5,7 @@
 
 #include "render_helper.h"
 #include "scene/lights.h"
-#include "scene/profiles/light_profile.h"
+#include "support/profile_lamp.h"
 
 namespace importon::test::irradiance_test {
 namespace {
@@ -94,16 +94,9 @@ TEST_P(Irradiance, OfALampWithAProfileFollowsTheProfile) {
   const LightProfile sampled = sampleProfile(profile);
   for (const bool isMirrored : {false, true}) {
     SceneBuilder builder = whitePlane(0.6, {0.4, 0, 0});
-    builder.pointLight({0.1, 2, 0}, vec3(static_cast<float>(sampled.most)));
+    builder.pointLight({0.1, 2, 0}, vec3(1));
     Scene scene = builder.finish();
-    scene.textures = {textureOf(sampled, 0)};
-    scene.texels = sampled.texels;
-    Light& light = scene.lights.back();
-    light.kind = kLightProfile;
-    light.triangle = 0;
-    light.cosOuter = sampled.cosOuter;
-    light.power = profilePower(light.emission, sampled.shareIntegral);
-    light.direction = vec3(glm::normalize(glm::dvec3(0.2, -1, 0.1)));
+    Light& light = test::shineByProfile(scene, sampled, vec3(glm::normalize(glm::dvec3(0.2, -1, 0.1))));
     light.area = 0.7f;
     light.isTwoSided = isMirrored ? 1 : 0;
     // The frame of shaders/lib/sampling.glsl, turned by the lamp's angle.

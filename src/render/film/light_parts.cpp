@@ -26,7 +26,7 @@ LightParts readParts(std::span<const FilmPixel> halves, const SampleCounts& coun
 }
 
 LightParts shareLight(LightFilter& filter, const LightParts& raw) {
-  LightParts shown = raw;
+  LightParts shown{raw.emitted, {}, {}, {}};
   for (const auto& [part, onEdges] : kSharedParts) shown.*part = filter.clean(raw.*part, onEdges);
   return shown;
 }

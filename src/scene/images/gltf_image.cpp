@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "scene/images/image_decode.h"
 #include "scene/images/image_source.h"
+#include "scene/scene.h"
 
 namespace importon {
 namespace {
@@ -57,7 +58,6 @@ std::map<std::size_t, bool> usedImages(const MaterialSet& set) {
 
 /// The images that textures use, by index in the file, one after another among the texels.
 std::map<std::size_t, ImageUse> placeImages(const GltfDocument& document, const MaterialSet& set, Log& log) {
-  constexpr std::size_t kMostWords = std::size_t{1} << 28;
   std::map<std::size_t, ImageUse> images;
   std::size_t wordCount = 0;
   for (const auto& [index, isQuantity] : usedImages(set)) {
@@ -66,8 +66,8 @@ std::map<std::size_t, ImageUse> placeImages(const GltfDocument& document, const 
     if (image.size.isDeep && isQuantity) image.depth = TexelDepth::sixteen;
     image.firstWord = wordCount;
     wordCount += image.words();
-    if (wordCount > kMostWords) {
-      throw SceneError(fmt::format("the images have more than {} texels in all", kMostWords), image.where,
+    if (wordCount > kMostTexels) {
+      throw SceneError(fmt::format("the images have more than {} texels in all", kMostTexels), image.where,
                        "reduce the images");
     }
     images.emplace(index, std::move(image));

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "scene/container/gltf_json.h"
 #include "scene/images/texture_sampling.h"
+#include "scene/scene.h"
 
 namespace importon {
 namespace {
@@ -60,7 +61,6 @@ std::optional<float> glossinessFactorOf(const Json& material) {
 }
 
 void makeRoughnessTextures(MaterialSet& set, std::vector<uint>& texels, const std::string& name) {
-  constexpr std::size_t kMostTexels = std::size_t{1} << 28;
   std::map<std::pair<uint, float>, uint> made;
   for (const GlossyMaterial& use : set.glossiness) {
     uint& index = set.materials[use.material].metallicRoughnessTexture;

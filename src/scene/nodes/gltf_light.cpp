@@ -50,9 +50,10 @@ Light readLight(const GltfDocument& document, std::size_t index, float sceneRadi
   return light;
 }
 
-/// Where the node stands and looks, along its -z.
-void place(const glm::dmat4& worldFromLight, const glm::dvec3& worldFromRender, const std::string& where,
-           Light& light) {
+}  // namespace
+
+void placeLight(const glm::dmat4& worldFromLight, const glm::dvec3& worldFromRender, const std::string& where,
+                Light& light) {
   light.position = vec3(glm::dvec3(worldFromLight[3]) - worldFromRender);
   const glm::dvec3 direction = -glm::dvec3(worldFromLight[2]);
   const double length = glm::length(direction);
@@ -64,8 +65,6 @@ void place(const glm::dmat4& worldFromLight, const glm::dvec3& worldFromRender, 
   light.direction = vec3(direction / length);
 }
 
-}  // namespace
-
 std::vector<Light> readPunctualLights(const GltfDocument& document, std::span<const PlacedNode> nodes,
                                       const glm::dvec3& worldFromRender, float sceneRadius) {
   std::vector<Light> lights;
@@ -75,7 +74,8 @@ std::vector<Light> readPunctualLights(const GltfDocument& document, std::span<co
     const int index = integerOr(use, "light", -1);
     if (index < 0 || placed.isHidden) continue;
     Light light = readLight(document, static_cast<std::size_t>(index), sceneRadius);
-    place(placed.worldFromObject, worldFromRender, document.source.at(fmt::format("/nodes/{}", placed.node)), light);
+    placeLight(placed.worldFromObject, worldFromRender, document.source.at(fmt::format("/nodes/{}", placed.node)),
+               light);
     if (light.power > 0) lights.push_back(light);
   }
   return lights;

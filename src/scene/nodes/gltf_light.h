@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/log.h"
@@ -15,6 +16,10 @@ namespace importon {
 /// directional lights their power. Candela and lux are taken as W/sr and W/m². Throws SceneError.
 [[nodiscard]] std::vector<Light> readPunctualLights(const GltfDocument& document, std::span<const PlacedNode> nodes,
                                                     const glm::dvec3& worldFromRender, float sceneRadius);
+
+/// Where the node stands and looks, along its -z; its scale has no effect. Throws SceneError.
+void placeLight(const glm::dmat4& worldFromLight, const glm::dvec3& worldFromRender, const std::string& where,
+                Light& light);
 
 /// extras.environment of the default scene: {"type": "constant", "radiance": [r, g, b]}. Other types are passed
 /// over with a warning.

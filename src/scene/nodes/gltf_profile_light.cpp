@@ -11,7 +11,7 @@
 #include "scene/container/gltf_resources.h"
 #include "scene/container/gltf_view.h"
 #include "scene/light_math.h"
-#include "scene/lights.h"
+#include "scene/nodes/gltf_light.h"
 #include "scene/profiles/light_profile.h"
 
 namespace importon {
@@ -37,14 +37,13 @@ class ProfileTable {
 
  private:
   Entry read(std::size_t index) {
-    constexpr std::size_t kMostWords = std::size_t{1} << 28;
     const std::string pointer = fmt::format("/extensions/{}/lights/{}", kIesExtension, index);
     const std::vector<unsigned char> bytes = bytesOf(index, pointer);
     Entry entry{sampleProfile(parseIes(bytes, document_.source.at(pointer))),
                 static_cast<uint>(scene_.textures.size())};
     std::vector<uint>& texels = scene_.texels;
-    if (texels.size() + entry.profile.texels.size() > kMostWords)
-      throw SceneError(fmt::format("images and profiles have more than {} texels in all", kMostWords),
+    if (texels.size() + entry.profile.texels.size() > kMostTexels)
+      throw SceneError(fmt::format("images and profiles have more than {} texels in all", kMostTexels),
                        document_.source.at(pointer), "reduce the images");
     if (!(entry.profile.most > 0)) return entry;
     scene_.textures.push_back(textureOf(entry.profile, static_cast<uint>(texels.size())));
@@ -77,19 +76,12 @@ std::pair<glm::dvec3, glm::dvec3> axesAcross(const glm::dvec3& n) {
   return {{1 + s * n.x * n.x * a, s * b, -s * n.x}, {b, s + n.y * n.y * a, -n.y}};
 }
 
-/// The light stands and looks as its node does; its scale has no effect.
-void placeLamp(const glm::dmat4& worldFromLight, const glm::dvec3& worldFromRender, const std::string& where,
-               Light& light) {
-  const glm::dmat3 linear(worldFromLight);
-  light.position = vec3(glm::dvec3(worldFromLight[3]) - worldFromRender);
-  const glm::dvec3 axis = -linear[2];
-  const double length = glm::length(axis);
-  if (!(length > 0) || !std::isfinite(length + glm::length(linear[0]) + glm::length(glm::dvec3(worldFromLight[3]))))
-    throw SceneError("the transform of the light is not finite, or has scale 0", where, kExportAgain);
-  light.direction = vec3(axis / length);
+/// Around its axis.
+void turnLamp(const glm::dmat3& worldFromLight, const std::string& where, Light& light) {
   const auto [x, y] = axesAcross(glm::dvec3(light.direction));
-  light.area = static_cast<float>(std::atan2(glm::dot(linear[0], y), glm::dot(linear[0], x)));
-  light.isTwoSided = glm::determinant(linear) < 0 ? 1u : 0u;
+  light.area = static_cast<float>(std::atan2(glm::dot(worldFromLight[0], y), glm::dot(worldFromLight[0], x)));
+  if (!std::isfinite(light.area)) throw SceneError("the transform of the light is not finite", where, kExportAgain);
+  light.isTwoSided = glm::determinant(worldFromLight) < 0 ? 1u : 0u;
 }
 
 }  // namespace
@@ -102,15 +94,11 @@ void addProfileLights(const GltfDocument& document, std::span<const PlacedNode> 
     const int index = integerOr(use, "light", -1);
     if (index < 0 || placed.isHidden) continue;
     const ProfileTable::Entry& entry = profiles.at(static_cast<std::size_t>(index));
-    Light light{};
-    light.kind = kLightProfile;
-    light.triangle = entry.texture;
-    light.cosOuter = entry.profile.cosOuter;
-    light.emission =
-        vectorOr<3>(use, "color", vec3(1.0f)) * toFloat(numberOr(use, "multiplier", 1.0) * entry.profile.most);
-    light.power = profilePower(light.emission, entry.profile.shareIntegral);
-    placeLamp(placed.worldFromObject, scene.worldFromRender, document.source.at(fmt::format("/nodes/{}", placed.node)),
-              light);
+    const vec3 factor = vectorOr<3>(use, "color", vec3(1.0f)) * toFloat(numberOr(use, "multiplier", 1.0));
+    Light light = lightOf(entry.profile, entry.texture, factor);
+    const std::string where = document.source.at(fmt::format("/nodes/{}", placed.node));
+    placeLight(placed.worldFromObject, scene.worldFromRender, where, light);
+    turnLamp(glm::dmat3(placed.worldFromObject), where, light);
     if (light.power > 0) scene.lights.push_back(light);
   }
 }

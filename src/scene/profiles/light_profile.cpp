@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "scene/lights.h"
+
 namespace importon {
 namespace {
 
@@ -51,6 +53,16 @@ Texture textureOf(const LightProfile& profile, uint firstTexel) {
   texture.uvRow0 = vec3(1, 0, 0);
   texture.uvRow1 = vec3(0, 1, 0);
   return texture;
+}
+
+Light lightOf(const LightProfile& profile, uint texture, const vec3& factor) {
+  Light light{};
+  light.kind = kLightProfile;
+  light.triangle = texture;
+  light.cosOuter = profile.cosOuter;
+  light.emission = factor * static_cast<float>(profile.most);
+  light.power = profilePower(light.emission, profile.shareIntegral);
+  return light;
 }
 
 }  // namespace importon

@@ -22,4 +22,8 @@ struct LightProfile {
 /// Its texture, with `firstTexel` as its place among the scene's.
 [[nodiscard]] Texture textureOf(const LightProfile& profile, uint firstTexel);
 
+/// A light of it, at `factor` times its candela, whose texture has the number `texture`. Where it stands and looks is
+/// to be set: placeLight.
+[[nodiscard]] Light lightOf(const LightProfile& profile, uint texture, const vec3& factor);
+
 }  // namespace importon
