@@ -130,15 +130,17 @@ TEST(Cli, SceneAndVariantChooseWhatIsShown) {
   const std::size_t node = scene["nodes"].size(), material = scene["materials"].size();
   const std::size_t mesh = scene["meshes"].size();
   nlohmann::json one = scene["meshes"][0];
-  one["primitives"] = {one["primitives"][0]};
-  one["primitives"][0]["extensions"]["KHR_materials_variants"]["mappings"] = {
-      {{"material", material}, {"variants", {0}}}};
+  // array() everywhere: compilers disagree on whether {x} is an array of one or a copy.
+  using Json = nlohmann::json;
+  one["primitives"].erase(one["primitives"].begin() + 1, one["primitives"].end());
+  one["primitives"][0]["extensions"]["KHR_materials_variants"]["mappings"] =
+      Json::array({{{"material", material}, {"variants", Json::array({0})}}});
   scene["meshes"].push_back(one);
   scene["nodes"].push_back({{"mesh", mesh}});
-  scene["scenes"].push_back({{"name", "small"}, {"nodes", {node}}});
+  scene["scenes"].push_back({{"name", "small"}, {"nodes", Json::array({node})}});
   scene["materials"].push_back({{"name", "coal"}});
   scene["extensionsUsed"].push_back("KHR_materials_variants");
-  scene["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "dark"}}};
+  scene["extensions"]["KHR_materials_variants"]["variants"] = Json::array({{{"name", "dark"}}});
   writeFile(folder / "scene.gltf", scene.dump());
   const auto info = [&](std::vector<std::string> more) {
     more.insert(more.begin(), {"info", folder / "scene.gltf", "--light", "studio"});
