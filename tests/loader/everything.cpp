@@ -30,15 +30,21 @@ GltfBuilder everything() {
   builder.json["extensions"]["KHR_lights_punctual"]["lights"] =
       Json::array({{{"type", "spot"}, {"spot", {{"outerConeAngle", 0.5}}}}});
   builder.addRoot({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}, {"rotation", {0, 0, 0, 1}}});
-  const std::string lamp =
-      "IES:LM-63-2019\nTILT=INCLUDE\n1 2 0 90 1 1\n1 -1 1 3 2 1 2 0 0 0 1 1 9\n0 45 90\n0 90\n9 8 1 9 7 2\n";
-  builder.json["extensions"]["EXT_lights_ies"]["lights"] =
-      Json::array({{{"bufferView", builder.addView(lamp.data(), lamp.size())}}});
-  builder.json["nodes"].back()["extensions"]["EXT_lights_ies"] = {{"light", 0}, {"multiplier", 0.5}};
   builder.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}}}});
   builder.addRoot({{"camera", 0}, {"children", {3}}});
   builder.add("nodes", {{"mesh", 0}, {"scale", {-1, 2, 1}}});
   builder.json["scenes"][0]["extras"]["environment"] = {{"type", "constant"}, {"radiance", {1, 1, 1}}};
+  builder.json["buffers"] = Json::array({{{"byteLength", builder.binary.size()}}});
+  return builder;
+}
+
+GltfBuilder profileFile() {
+  GltfBuilder builder = GltfBuilder::emissiveTriangle();
+  const std::string lamp =
+      "IES:LM-63-2019\nTILT=INCLUDE\n1 2 0 90 1 1\n1 -1 1 3 2 1 2 0 0 0 1 1 9\n0 45 90\n0 90\n9 8 1 9 7 2\n";
+  builder.json["extensions"]["EXT_lights_ies"]["lights"] =
+      Json::array({{{"bufferView", builder.addView(lamp.data(), lamp.size())}}});
+  builder.addRoot({{"extensions", {{"EXT_lights_ies", {{"light", 0}, {"multiplier", 0.5}}}}}});
   builder.json["buffers"] = Json::array({{{"byteLength", builder.binary.size()}}});
   return builder;
 }
