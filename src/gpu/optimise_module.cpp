@@ -33,15 +33,16 @@ using Words = std::vector<std::uint32_t>;
 
 constexpr std::size_t kHeaderWords = 5;
 // No pass that rewrites arithmetic (--simplify-instructions): see docs/experiments/start-up.md.
-const std::vector<std::string> kPasses{
+const std::vector<std::string> kOpen{
     "--merge-return", "--inline-entry-points-exhaustive", "--eliminate-dead-functions",
     "--eliminate-dead-code-aggressive",
     // Variables of functions become values.
     "--private-to-local", "--eliminate-local-single-block", "--eliminate-local-single-store",
     "--eliminate-dead-code-aggressive", "--scalar-replacement=100", "--convert-local-access-chains",
     "--eliminate-local-single-block", "--eliminate-local-single-store", "--eliminate-dead-code-aggressive",
-    "--ssa-rewrite", "--eliminate-dead-code-aggressive",
-    // What is constant, unused or computed twice goes.
+    "--ssa-rewrite", "--eliminate-dead-code-aggressive"};
+// What is constant, unused or computed twice goes.
+const std::vector<std::string> kClosed{
     "--ccp", "--eliminate-dead-code-aggressive", "--eliminate-dead-branches", "--redundancy-elimination",
     "--combine-access-chains", "--vector-dce", "--eliminate-dead-inserts", "--merge-blocks"};
 
@@ -93,10 +94,10 @@ void tell(spv_message_level_t, const char*, const spv_position_t& at, const char
   std::cerr << "word " << at.index << ": " << message << "\n";
 }
 
-Words optimised(const Words& module) {
+Words optimised(const Words& module, const std::vector<std::string>& passes) {
   spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
   optimizer.SetMessageConsumer(tell);
-  if (!optimizer.RegisterPassesFromFlags(kPasses)) throw std::runtime_error("an unknown pass");
+  if (!optimizer.RegisterPassesFromFlags(passes)) throw std::runtime_error("an unknown pass");
   spvtools::ValidatorOptions layout;
   layout.SetScalarBlockLayout(true);
   spvtools::OptimizerOptions options;
@@ -113,10 +114,12 @@ Words optimised(const Words& module) {
 /// Whole, lean and placed.
 using Modules = std::array<Words, 3>;
 
+/// The passes that do not look at constants take longest, and are alike for all three.
 Modules optimisedAll(const Words& module) {
-  Modules modules{module, withoutRare(module, Instances::left), withoutRare(module, Instances::taken)};
+  const Words open = optimised(module, kOpen);
+  Modules modules{open, withoutRare(open, Instances::left), withoutRare(open, Instances::taken)};
   for (Words& each : modules)
-    if (!each.empty()) each = optimised(each);
+    if (!each.empty()) each = optimised(each, kClosed);
   return modules;
 }
 
