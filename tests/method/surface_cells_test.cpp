@@ -102,6 +102,16 @@ TEST(SurfaceCells, AreAsDenseAsAskedAndSmallTrianglesShareOne) {
   EXPECT_GT(onBall, 0.5 * kDensity * M_PI);  // of the ball's area, pi
 }
 
+// A photon on a sliver of a cell would make it far too bright.
+TEST(SurfaceCells, AreNotMuchSmallerThanAskedHoweverTrianglesMeetTheirGrid) {
+  const Scene scene = ballOverFloor();
+  for (const double density : {7.0, 30.0, 100.0, 300.0}) {
+    const SurfaceCells cells = cutSurfaces(
+        scene, [&](vec3) { return density; }, 1u << 22, 0);
+    EXPECT_GT(static_cast<double>(*std::min_element(cells.areas.begin(), cells.areas.end())), 0.249 / density);
+  }
+}
+
 TEST(SurfaceCells, AreNoMoreThanThereIsRoomFor) {
   const Scene scene = ballOverFloor();
   const SurfaceCells cells = cutSurfaces(

@@ -64,7 +64,6 @@ PlacedCells::Table& PlacedCells::table(const Key& key) {
   Table& table = entry->second;
   if (!isNew) return table;
   const auto [meshIndex, page, level, bins] = key;
-  const NormalBins normals = bins;  // a lambda cannot capture a structured binding
   const PlacedMesh& mesh = scene_.placed.meshes[meshIndex];
   const uint begin = page == kNone ? 0 : page * kPageTriangles;
   const uint end = page == kNone ? mesh.triangleCount : std::min(begin + kPageTriangles, mesh.triangleCount);
@@ -79,7 +78,7 @@ PlacedCells::Table& PlacedCells::table(const Key& key) {
     pieces[i].density = std::exp2(level);
   }
   CellNumbers numbers = numberCells(
-      pieces, 1, [&](std::size_t i, double density) { return sharedCell(corners(i), low, density, normals); });
+      pieces, 1, bins, [&](std::size_t i, const CellGrid& grid) { return sharedCell(corners(i), low, grid); });
   table.cells.resize(numbers.cells);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const auto [first, n] = std::pair(numbers.triangles[i].x, numbers.triangles[i].y);
@@ -114,7 +113,7 @@ uint PlacedCells::placeTogether(const PlacedInstance& instance, double wanted, S
   if (wanted < kTogether) {
     const vec3 at = instance.placement()(mesh.pages.front().sample);
     const std::uint64_t key =
-        sharedCell({at, at, at}, scene_.boundsMin, std::max(wanted, 1e-30) / area, NormalBins::sixSides);
+        sharedCell({at, at, at}, scene_.boundsMin, {std::max(wanted, 1e-30) / area, NormalBins::sixSides});
     cell = together_.try_emplace(key, cell).first->second;
   }
   if (cell == out.areas.size()) out.areas.push_back(0);

@@ -46,9 +46,10 @@ std::vector<Piece> measure(const Scene& scene, const std::function<double(vec3)>
 }
 
 SurfaceCells layOutWorld(const Scene& scene, const std::vector<Piece>& pieces, double scale) {
-  CellNumbers numbers = numberCells(pieces, scale, [&](std::size_t i, double density) {
-    return sharedCell(cornersOf(scene, scene.triangles[i]), scene.boundsMin, density, NormalBins::fine);
-  });
+  const auto shared = [&](std::size_t i, const CellGrid& grid) {
+    return sharedCell(cornersOf(scene, scene.triangles[i]), scene.boundsMin, grid);
+  };
+  CellNumbers numbers = numberCells(pieces, scale, NormalBins::fine, shared);
   SurfaceCells out;
   out.areas.resize(numbers.cells);
   for (std::size_t i = 0; i < pieces.size(); ++i) {

@@ -23,20 +23,28 @@ using Corners = std::array<vec3, 3>;
 /// How finely the normals of triangles that share a cell are told apart.
 enum class NormalBins { fine, sixSides };
 
+struct CellGrid {
+  double density = 0;  // cells/m²
+  NormalBins bins = NormalBins::fine;
+  double shift = 0;  // along each axis, in edges of the grid
+};
+
 /// Tells the cell that a small triangle shares: its size and place, counted from `origin`, and the rough direction of
 /// its normal.
-[[nodiscard]] std::uint64_t sharedCell(const Corners& corners, const vec3& origin, double density, NormalBins bins);
+[[nodiscard]] std::uint64_t sharedCell(const Corners& corners, const vec3& origin, const CellGrid& grid);
 
 /// About how many cells there will be; small triangles meet more of them than their area says.
 [[nodiscard]] double countCells(const std::vector<Piece>& pieces, double scale);
 
-/// First cell and n of each triangle, of which it is n² or, with those for which `shared(triangle, density)` is the
-/// same, one; and how many cells there are.
+/// First cell and n of each triangle, of which it is n² or, with others, one; and how many cells there are.
 struct CellNumbers {
   std::vector<uvec2> triangles;
   std::size_t cells = 0;
 };
-[[nodiscard]] CellNumbers numberCells(const std::vector<Piece>& pieces, double scale,
-                                      const std::function<std::uint64_t(std::size_t, double)>& shared);
+/// Small triangles for which `shared` is the same share a cell; it is asked with `bins`, and with coarser grids to join
+/// what is too small.
+using SharedCell = std::function<std::uint64_t(std::size_t triangle, const CellGrid& grid)>;
+[[nodiscard]] CellNumbers numberCells(const std::vector<Piece>& pieces, double scale, NormalBins bins,
+                                      const SharedCell& shared);
 
 }  // namespace importon
