@@ -42,9 +42,14 @@ const std::vector<std::string> kOpen{
     "--eliminate-local-single-block", "--eliminate-local-single-store", "--eliminate-dead-code-aggressive",
     "--ssa-rewrite", "--eliminate-dead-code-aggressive"};
 // What is constant, unused or computed twice goes.
-const std::vector<std::string> kClosed{
-    "--ccp", "--eliminate-dead-code-aggressive", "--eliminate-dead-branches", "--redundancy-elimination",
-    "--combine-access-chains", "--vector-dce", "--eliminate-dead-inserts", "--merge-blocks"};
+const std::vector<std::string> kClosed{"--ccp",
+                                       "--eliminate-dead-code-aggressive",
+                                       "--eliminate-dead-branches",
+                                       "--redundancy-elimination",
+                                       "--combine-access-chains",
+                                       "--vector-dce",
+                                       "--eliminate-dead-inserts",
+                                       "--merge-blocks"};
 
 Words read(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
