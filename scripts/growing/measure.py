@@ -58,7 +58,8 @@ class Bench:
 
     def render(self, member, words, seed, reference=None):
         lab = Lab(self.options.importon, self.folder / "renders", member.width)
-        return lab.render(self.scene(member.triangles, member.lights), words + self.device, seed, reference)
+        known = f" --reference {reference}" if reference else ""
+        return lab.render(self.scene(member.triangles, member.lights), words + known + self.device, seed)
 
     def reference(self, member, passes):
         """A long render without sharing of light, in two halves: the image, and the noise that is left in it."""
