@@ -32,19 +32,19 @@ Query coated(Query material, float roughness) {
 }
 
 const std::vector<vec3>& outgoing() {
-  static const std::vector<vec3> directions{vec3(0, 0, 1), glm::normalize(vec3(0.5f, 0.2f, 0.8f)),
-                                            glm::normalize(vec3(-0.3f, 0.9f, 0.35f))};
-  return directions;
+  static const std::vector<vec3> kDirections{vec3(0, 0, 1), glm::normalize(vec3(0.5f, 0.2f, 0.8f)),
+                                             glm::normalize(vec3(-0.3f, 0.9f, 0.35f))};
+  return kDirections;
 }
 
-std::optional<gpu::Kernel> BsdfTest::kernel_;
+std::optional<gpu::Kernel> BsdfTest::sharedKernel;
 
-void BsdfTest::TearDownTestSuite() { kernel_.reset(); }
+void BsdfTest::TearDownTestSuite() { sharedKernel.reset(); }
 
 /// Compiled once for all tests of a suite.
 const gpu::Kernel& BsdfTest::kernel() const {
-  if (!kernel_) kernel_.emplace(context(), "BSDF", test_kernels::code("bsdf"));
-  return *kernel_;
+  if (!sharedKernel) sharedKernel.emplace(context(), "BSDF", test_kernels::code("bsdf"));
+  return *sharedKernel;
 }
 
 std::vector<Answer> BsdfTest::ask(const std::vector<Query>& queries) const {

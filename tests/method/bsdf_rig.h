@@ -75,7 +75,7 @@ class BsdfTest : public test::GpuTest {
 
  private:
   const gpu::Kernel& kernel() const;
-  static std::optional<gpu::Kernel> kernel_;
+  static std::optional<gpu::Kernel> sharedKernel;
 };
 
 /// What interpolation in the tables of directional albedo may be off by: of light from outside, and of light from
