@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace importon {
 namespace {
@@ -100,18 +101,16 @@ SharedCells gather(std::vector<std::pair<std::uint64_t, std::uint32_t>> small, c
 /// shifted so that its corners are not those of the last. A photon would make them very bright, and few gather rays
 /// would see it.
 void joinSmall(SharedCells& cells, const std::vector<Piece>& pieces, double scale, const SharedCell& shared) {
+  const auto isSmall = [](double worth) { return worth < kLeastWorth; };
   for (int round = 1; round <= kJoinings; ++round) {
-    const auto isSmall = [&](std::size_t cell) { return cells.worth[cell] < kLeastWorth; };
+    if (std::none_of(cells.worth.begin(), cells.worth.end(), isSmall)) return;
     std::vector<std::pair<std::uint64_t, std::uint32_t>> keyed;
-    bool areAnySmall = false;
     for (std::uint32_t cell = 0; cell < cells.worth.size(); ++cell) {
       if (cells.triangles[cell].empty()) continue;
-      areAnySmall = areAnySmall || isSmall(cell);
       const std::uint32_t triangle = cells.triangles[cell].front();
       const double density = pieces[triangle].density * scale * std::exp2(-2 * round);
       keyed.emplace_back(shared(triangle, {density, NormalBins::sixSides, 0.5 * (round % 2)}), cell);
     }
-    if (!areAnySmall) return;
     std::sort(keyed.begin(), keyed.end());
     for (auto begin = keyed.begin(); begin != keyed.end();) {
       const auto end = std::find_if(begin, keyed.end(), [&](const auto& each) { return each.first != begin->first; });
@@ -120,11 +119,12 @@ void joinSmall(SharedCells& cells, const std::vector<Piece>& pieces, double scal
                                     })->second;
       for (; begin != end; ++begin) {
         const std::uint32_t cell = begin->second;
-        if (cell == largest || !isSmall(cell)) continue;
+        if (cell == largest || !isSmall(cells.worth[cell])) continue;
         std::vector<std::uint32_t>& to = cells.triangles[largest];
         to.insert(to.end(), cells.triangles[cell].begin(), cells.triangles[cell].end());
         cells.worth[largest] += cells.worth[cell];
         cells.triangles[cell].clear();
+        cells.worth[cell] = std::numeric_limits<double>::infinity();  // there is none any more
       }
     }
   }
