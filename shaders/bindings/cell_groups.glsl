@@ -4,11 +4,11 @@
 #include "bindings/parameters.glsl"
 #include "lib/flux.glsl"
 
-uniform usamplerBuffer cellSums;
-uniform usamplerBuffer cellGroups;
-uniform usamplerBuffer cellMembers;
-uniform usamplerBuffer cellPlaces;
-uniform usamplerBuffer groupLight;
+uniform usamplerBuffer cellSumsTexels;
+uniform usamplerBuffer cellGroupsTexels;
+uniform usamplerBuffer cellMembersWords;
+uniform usamplerBuffer cellPlacesPairs;
+uniform usamplerBuffer groupLightTexels;
 
 /// Light that fell on one side of a cell or group.
 struct CellLight {
@@ -19,9 +19,9 @@ struct CellLight {
 
 CellLight lightOfCell(uint cell, uint side) {
   const uint at = 2u * (2u * cell + side);
-  const uvec4 a = texelFetch(cellSums, int(at)), b = texelFetch(cellSums, int(at + 1u));
+  const uvec4 a = texelFetch(cellSumsTexels, int(at)), b = texelFetch(cellSumsTexels, int(at + 1u));
   CellLight light;
-  light.area = uintBitsToFloat(texelFetch(cellPlaces, int(cell)).y);
+  light.area = uintBitsToFloat(texelFetch(cellPlacesPairs, int(cell)).y);
   const vec3 flux = vec3(floatFromFixed(a.xy), floatFromFixed(a.zw), floatFromFixed(b.xy));
   light.irradiance = flux * params.photonUnits / max(light.area, 1e-30);
   light.squares = float(b.w);
@@ -31,7 +31,7 @@ CellLight lightOfCell(uint cell, uint side) {
 /// Also the share of its members' differences that is more than noise, and the group that it is in.
 CellLight lightOfGroup(uint group, uint side, out float share, out uint outer) {
   const uint at = 2u * (2u * group + side);
-  const uvec4 a = texelFetch(groupLight, int(at)), b = texelFetch(groupLight, int(at + 1u));
+  const uvec4 a = texelFetch(groupLightTexels, int(at)), b = texelFetch(groupLightTexels, int(at + 1u));
   share = uintBitsToFloat(a.w);
   outer = b.z;
   return CellLight(uintBitsToFloat(a.xyz), uintBitsToFloat(b.x), uintBitsToFloat(b.y));

@@ -4,11 +4,11 @@
 #include "bindings/parameters.glsl"
 
 layout(scalar) buffer PathLightBlock { PathLight pathLight[]; };
-uniform usamplerBuffer samplePlan;
+uniform usamplerBuffer samplePlanPairs;
 
 /// Of a pixel of the tile: the first of its paths among the plan's, and that path's number among all of the pixel's
 /// beyond those of the mean. The plan ends with the number of its paths.
-uvec2 plannedPaths(uint pixel) { return texelFetch(samplePlan, int(pixel)).xy; }
+uvec2 plannedPaths(uint pixel) { return texelFetch(samplePlanPairs, int(pixel)).xy; }
 
 /// The pixel that the plan's path `path` belongs to.
 uint plannedPixel(uint path, uint pixels) {

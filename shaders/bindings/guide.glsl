@@ -3,11 +3,11 @@
 #define IMPORTON_BINDINGS_GUIDE_GLSL
 #include "bindings/parameters.glsl"
 
-uniform samplerBuffer guideRows;
-uniform samplerBuffer guideColumns;
+uniform samplerBuffer guideRowsWords;
+uniform samplerBuffer guideColumnsWords;
 
-float guideRow(uint i) { return texelFetch(guideRows, int(i)).x; }
-float guideColumn(uint i) { return texelFetch(guideColumns, int(i)).x; }
+float guideRow(uint i) { return texelFetch(guideRowsWords, int(i)).x; }
+float guideColumn(uint i) { return texelFetch(guideColumnsWords, int(i)).x; }
 
 #include "lib/guide.glsl"
 

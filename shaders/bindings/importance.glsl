@@ -3,21 +3,21 @@
 #define IMPORTON_BINDINGS_IMPORTANCE_GLSL
 #include "bindings/parameters.glsl"
 
-uniform usamplerBuffer importonCells;
-uniform usamplerBuffer importonPoints;
-uniform samplerBuffer importances;
-uniform samplerBuffer importanceBounds;
-uniform usamplerBuffer importonHits;
+uniform usamplerBuffer importonCellsPairs;
+uniform usamplerBuffer importonPointsTexels;
+uniform samplerBuffer importancesWords;
+uniform samplerBuffer importanceBoundsWords;
+uniform usamplerBuffer importonHitsWords;
 
-uvec2 importonCell(uint slot) { return texelFetch(importonCells, int(slot)).xy; }
-uvec4 importonPoint(uint i) { return texelFetch(importonPoints, int(i)); }
-float importonImportance(uint i) { return texelFetch(importances, int(i)).x; }
+uvec2 importonCell(uint slot) { return texelFetch(importonCellsPairs, int(slot)).xy; }
+uvec4 importonPoint(uint i) { return texelFetch(importonPointsTexels, int(i)); }
+float importonImportance(uint i) { return texelFetch(importancesWords, int(i)).x; }
 
 #include "lib/density.glsl"
 #include "lib/importance.glsl"
 
 GridFrame importonFrame() {
-  return GridFrame(params.gridOrigin, params.gridExtent, slotMaskOf(textureSize(importonCells)));
+  return GridFrame(params.gridOrigin, params.gridExtent, slotMaskOf(textureSize(importonCellsPairs)));
 }
 
 /// Γ in pixels/m² at a point; 0 where no importon is near.
@@ -29,7 +29,7 @@ float importanceAt(MapSettings map, vec3 position, vec3 normal) {
 /// D_r in photons/m² at an importon [METHOD: D_r = M_r Γ], at least the floor, growing over passes; or the constant.
 /// Γ is of the importance map, or by path differentials.
 float requiredDensityAt(MapSettings map, uint importon) {
-  const float importance = importon == kNone ? 0.0 : texelFetch(importanceBounds, int(importon)).x;
+  const float importance = importon == kNone ? 0.0 : texelFetch(importanceBoundsWords, int(importon)).x;
   float density = max(map.photonsPerPixel * importance, map.densityFloor);
   if (map.constantDensity > 0.0) density = map.constantDensity;
   return min(density * params.densityScale, map.densityLimit);
@@ -48,7 +48,7 @@ float lookupDensity(MapSettings map, vec3 position, vec3 normal) {
   const float required = requiredDensityAt(map, importon);
   if (map.photonsCounted == 0.0 || importon == kNone) return required;
   const float perArea = importonImportance(importon) / (map.importonFlux * float(kImportonsPerSite));
-  const float hits = (float(texelFetch(importonHits, int(importon)).x) + 0.5) / map.photonsCounted;
+  const float hits = (float(texelFetch(importonHitsWords, int(importon)).x) + 0.5) / map.photonsCounted;
   const float available = hits * perArea * (map.lookupPhotons / map.fewestPhotons) * params.densityScale;
   return clamp(available, min(map.densityFloor * params.densityScale, required), required);
 }

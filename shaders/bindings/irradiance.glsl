@@ -6,15 +6,15 @@
 #include "lib/surface_cell.glsl"
 
 layout(constant_id = kSpecReadsCells) const bool kReadsCells = false;
-uniform usamplerBuffer surfaceCells;
-uniform usamplerBuffer placedCells;
-uniform usamplerBuffer cellIrradiances;
+uniform usamplerBuffer surfaceCellsPairs;
+uniform usamplerBuffer placedCellsPairs;
+uniform usamplerBuffer cellIrradiancesTexels;
 
 /// First cell of a triangle, and into how many parts its sides are cut: src/render/surface_cache/surface_cells.h.
 uvec2 cellsOfTriangle(uint number) {
-  if (!kHasInstances || (number & kPlacedTriangle) == 0u) return texelFetch(surfaceCells, int(number)).xy;
-  const uvec2 page = texelFetch(placedCells, int((number & ~kPlacedTriangle) >> kPageBits)).xy;
-  const uvec2 cells = texelFetch(placedCells, int(page.y + (number & (kPageTriangles - 1u)))).xy;
+  if (!kHasInstances || (number & kPlacedTriangle) == 0u) return texelFetch(surfaceCellsPairs, int(number)).xy;
+  const uvec2 page = texelFetch(placedCellsPairs, int((number & ~kPlacedTriangle) >> kPageBits)).xy;
+  const uvec2 cells = texelFetch(placedCellsPairs, int(page.y + (number & (kPageTriangles - 1u)))).xy;
   return uvec2(page.x + cells.x, cells.y);
 }
 
@@ -26,7 +26,7 @@ uint cellSide(uint triangle, vec2 uv, bool isFront) {
 
 /// Irradiance, W/m², of the passes so far; and the cell's area, m².
 vec3 cellIrradiance(uint side, out float area) {
-  const uvec4 cell = texelFetch(cellIrradiances, int(side));
+  const uvec4 cell = texelFetch(cellIrradiancesTexels, int(side));
   area = uintBitsToFloat(cell.w);
   return uintBitsToFloat(cell.xyz) * params.irradianceScale;
 }

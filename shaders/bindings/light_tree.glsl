@@ -2,10 +2,7 @@
 #ifndef IMPORTON_BINDINGS_LIGHT_TREE_GLSL
 #define IMPORTON_BINDINGS_LIGHT_TREE_GLSL
 #include "bindings/parameters.glsl"
-
-uniform usamplerBuffer lightTreeTexels;
-
-uvec4 lightTreeTexel(uint i) { return texelFetch(lightTreeTexels, int(i)); }
+#include "bindings/tables.glsl"
 
 /// What lights are worth that no photon has come from to the surroundings: not yet found or, the more photons have been
 /// shot the surer, hidden.

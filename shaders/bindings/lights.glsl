@@ -4,28 +4,23 @@
 #include "bindings/light_tree.glsl"
 #include "bindings/scene.glsl"
 
-uniform usamplerBuffer lightsTexels;
 layout(scalar) readonly buffer LightAliasBlock { LightAlias lightAlias[]; };
-
-uniform usamplerBuffer lightOfTriangleTexels;
 uniform usamplerBuffer environmentTexels;
-uniform usamplerBuffer environmentAliases;
+uniform usamplerBuffer environmentAliasesPairs;
 
-uint lightOfTriangle(uint triangle) { return texelFetch(lightOfTriangleTexels, int(triangle)).x; }
-uvec4 lightTexel(uint i) { return texelFetch(lightsTexels, int(i)); }
 LightAlias lightAliasAt(uint i) { return lightAlias[i]; }
 
 uvec4 environmentTexel(uint i) { return texelFetch(environmentTexels, int(i)); }
-uvec2 environmentAlias(uint i) { return texelFetch(environmentAliases, int(i)).xy; }
+uvec2 environmentAlias(uint i) { return texelFetch(environmentAliasesPairs, int(i)).xy; }
 uvec2 environmentSize() { return params.environmentSize; }
 
 #include "lib/light_voxel.glsl"
 
-uniform usamplerBuffer lightsSeenTexels;
+uniform usamplerBuffer lightsSeenPairs;
 
 uvec2 lightsSeen(vec3 x) {
   if (!kHasGlobalMap) return uvec2(kNone);  // no photon says what reaches where
-  return texelFetch(lightsSeenTexels, int(lightVoxel(x, params.gridOrigin, params.gridExtent, params.lightCount))).xy;
+  return texelFetch(lightsSeenPairs, int(lightVoxel(x, params.gridOrigin, params.gridExtent, params.lightCount))).xy;
 }
 
 #include "lib/light.glsl"

@@ -9,7 +9,7 @@
 
 const float kInfinity = 1.0 / 0.0;
 
-layout(scalar) readonly buffer ParametersBlock { Parameters params; };
+layout(scalar) uniform ParametersBlock { Parameters params; };
 layout(scalar) buffer CountersBlock { uint counters[]; };
 
 #endif

@@ -5,7 +5,7 @@
 #include "lib/bsdf.glsl"
 #include "lib/flux.glsl"
 
-uniform usamplerBuffer mapFlux;
+uniform usamplerBuffer mapFluxPairs;
 
 /// BSDF times flux, W/sr; to be divided by the area that the photons are taken from.
 vec3 photonLight(Surface s, Bsdf b, vec3 wo, mat3 frame, uint photon, uint packed) {
@@ -19,7 +19,7 @@ vec3 photonLight(Surface s, Bsdf b, vec3 wo, mat3 frame, uint photon, uint packe
   const float cosine = max(abs(dot(towardsLight, s.geometricNormal)), min(abs(wi.z), 0.05));
   vec3 f = evalBsdf(b, wo, wi, pdf) / max(cosine, 1e-6);
   if (isTranslucent(b) && wi.z < 0.0 && !b.isThin) f /= b.eta * b.eta;  // as for all light from behind an interface
-  return f * unpackFlux(texelFetch(mapFlux, int(photon)).xy);
+  return f * unpackFlux(texelFetch(mapFluxPairs, int(photon)).xy);
 }
 
 #endif

@@ -3,9 +3,9 @@
 #define IMPORTON_BINDINGS_SCATTER_GUIDE_GLSL
 #include "bindings/parameters.glsl"
 
-uniform samplerBuffer scatterGuides;
+uniform samplerBuffer scatterGuidesWords;
 
-float scatterGuide(uint i) { return texelFetch(scatterGuides, int(i)).x; }
+float scatterGuide(uint i) { return texelFetch(scatterGuidesWords, int(i)).x; }
 
 #include "lib/scatter_guide.glsl"
 

@@ -23,7 +23,7 @@ const float kLeastDeficit = 0.05;
 
 /// `hitsPerPass`: in a pass, for each hit that was counted.
 float deficitAt(MapSettings map, uint site, float hitsPerPass) {
-  const float hits = float(texelFetch(importonHits, int(site)).x) * hitsPerPass;
+  const float hits = float(texelFetch(importonHitsWords, int(site)).x) * hitsPerPass;
   return max(1.0 - hits / hitsAskedAt(map, site), kLeastDeficit);
 }
 

@@ -3,17 +3,17 @@
 #define IMPORTON_BINDINGS_STORED_GLSL
 #include "bindings/parameters.glsl"
 
-uniform usamplerBuffer storedCells;
-uniform usamplerBuffer storedPoints;
-uniform usamplerBuffer storedOrder;
+uniform usamplerBuffer storedCellsPairs;
+uniform usamplerBuffer storedPointsTexels;
+uniform usamplerBuffer storedOrderWords;
 
-uvec2 gridCell(uint slot) { return texelFetch(storedCells, int(slot)).xy; }
-uvec4 gridPoint(uint i) { return texelFetch(storedPoints, int(i)); }
+uvec2 gridCell(uint slot) { return texelFetch(storedCellsPairs, int(slot)).xy; }
+uvec4 gridPoint(uint i) { return texelFetch(storedPointsTexels, int(i)); }
 
 #include "lib/grid_search.glsl"
 
 GridFrame storedFrame() {
-  return GridFrame(params.gridOrigin, params.gridExtent, slotMaskOf(textureSize(storedCells)));
+  return GridFrame(params.gridOrigin, params.gridExtent, slotMaskOf(textureSize(storedCellsPairs)));
 }
 
 #endif

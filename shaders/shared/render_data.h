@@ -233,7 +233,7 @@ struct DispatchArguments {
 };
 SHARED_CONST uint kWorkgroupSize = 64u;  // of kernels dispatched indirectly
 SHARED_CONST uint kTileSize = 64u;       // entries per invocation in compaction and sort
-SHARED_CONST uint kScanThreads = 256u;   // workgroup size of the scan kernel
+SHARED_CONST uint kScanThreads = 128u;   // workgroup size of the scan kernel: the least that Vulkan promises
 SHARED_CONST uint kRadix = 64u;          // digits of the sort
 SHARED_CONST uint kRadixBits = 6u;
 

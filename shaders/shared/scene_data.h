@@ -8,6 +8,17 @@ SHARED_BEGIN
 
 SHARED_CONST uint kNone = 0xFFFFFFFFu;
 
+/// Where the tables start that share a buffer (bindings/tables.glsl), in texels of 16 bytes or in words; those of the
+/// first of each are 0.
+struct TableStarts {
+  uint materials;
+  uint textures;
+  uint lights;
+  uint lightTree;
+  uint instanceOfPage;
+  uint lightOfTriangle;
+};
+
 /// Shading attributes of a vertex; its position is kept apart, for the BVH.
 struct Vertex {
   vec2 uv0;

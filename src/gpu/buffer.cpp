@@ -53,7 +53,7 @@ void checkLimits(const Limits& limits, const std::string& name, std::uint64_t by
     refuse(limits.maxAllocation < limits.heapBytes ? "largest allocation" : "memory", mebibytes(bytes), mebibytes(most),
            name);
   }
-  if (texels == TexelFormat::none) return;
+  if (texels == TexelFormat::none || !limits.hasLargeTexelBuffers) return;
   const std::uint64_t elements = bytes / texelInfo(texels).bytes;
   if (elements > limits.maxTexelBufferElements) {
     refuse("maxTexelBufferElements", std::to_string(elements) + " texels",
@@ -71,6 +71,10 @@ std::uint64_t paddingOf(std::uint64_t bytes) {
   return padded - bytes;
 }
 
+bool hasView(const Device& device, TexelFormat texels) {
+  return texels != TexelFormat::none && device.limits().hasLargeTexelBuffers;
+}
+
 BufferHandle createBuffer(Device& device, const std::string& name, std::uint64_t bytes, TexelFormat texels) {
   VkBufferCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
@@ -78,7 +82,7 @@ BufferHandle createBuffer(Device& device, const std::string& name, std::uint64_t
   info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
                VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
                VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-  if (texels != TexelFormat::none) info.usage |= VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+  if (hasView(device, texels)) info.usage |= VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
   VkBuffer buffer = VK_NULL_HANDLE;
   check(vkCreateBuffer(device.handle(), &info, nullptr, &buffer), "create buffer '" + name + "'", device.info().name);
   device.setDebugName(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<std::uint64_t>(buffer), name);
@@ -145,6 +149,10 @@ void checkRange(const Buffer& buffer, std::uint64_t offset, std::uint64_t bytes)
 
 }  // namespace
 
+std::uint32_t texelWords(TexelFormat texels) {
+  return texels == TexelFormat::none ? 0 : static_cast<std::uint32_t>(texelInfo(texels).bytes / 4);
+}
+
 Buffer::Buffer(Context& context, std::string name, std::uint64_t bytes, TexelFormat texels)
     : impl_(std::make_unique<Impl>()), name_(std::move(name)), texels_(texels) {
   const std::uint64_t texelBytes = texelInfo(texels).bytes;
@@ -154,7 +162,7 @@ Buffer::Buffer(Context& context, std::string name, std::uint64_t bytes, TexelFor
   impl_->device = context.impl().device;
   impl_->buffer = createBuffer(*impl_->device, name_, padded, texels);
   allocateMemory(*impl_, name_);
-  if (texels != TexelFormat::none) impl_->view = createView(*impl_->device, name_, impl_->buffer.get(), texels);
+  if (hasView(*impl_->device, texels)) impl_->view = createView(*impl_->device, name_, impl_->buffer.get(), texels);
 }
 
 Buffer::Buffer() = default;

@@ -13,8 +13,11 @@ namespace importon::gpu {
 
 /// How kernels may see a buffer. Every buffer can be a storage buffer, the source of an indirect dispatch, and
 /// be copied; one with a texel format can also be read as a uniform texel buffer (usamplerBuffer,
-/// samplerBuffer), which is not subject to maxStorageBufferRange.
+/// samplerBuffer), which is not subject to maxStorageBufferRange where Limits::hasLargeTexelBuffers.
 enum class TexelFormat { none, uint1, uint2, uint4, float1, float2, float4 };
+
+/// 32-bit words of a texel; none: 0.
+[[nodiscard]] std::uint32_t texelWords(TexelFormat texels);
 
 class Buffer {
  public:

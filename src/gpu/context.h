@@ -19,7 +19,8 @@ struct DeviceInfo {
 struct Limits {
   std::uint64_t maxStorageBufferRange = 0;  // bytes
   std::uint64_t maxTexelBufferElements = 0;
-  std::uint64_t maxAllocation = 0;  // bytes
+  bool hasLargeTexelBuffers = false;  // else kernels read the same as storage buffers
+  std::uint64_t maxAllocation = 0;    // bytes
   std::uint32_t maxWorkgroupCountX = 0;
   std::uint32_t maxWorkgroupSize = 0;
   std::uint64_t heapBytes = 0;    // of the heap that device-local buffers live in

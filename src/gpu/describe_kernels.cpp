@@ -20,6 +20,8 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -41,6 +43,7 @@ struct Struct {
 struct Binding {
   unsigned slot;
   std::string kind, name;
+  unsigned texelWords;  // 32-bit words of a texel; 0: none
 };
 
 struct Module {
@@ -70,9 +73,19 @@ std::string withoutEnd(std::string text, const std::string& end) {
   return text;
 }
 
-/// Block QueueBlock and texels queueTexels are both the buffer queue.
+/// What the names of texel buffers end in, and the words of one texel: SPIR-V does not tell a texel's size.
+constexpr std::pair<std::string_view, unsigned> kTexelEnds[] = {{"Words", 1}, {"Pairs", 2}, {"Texels", 4}};
+
+unsigned texelWordsOf(const std::string& declared) {
+  for (const auto& [end, words] : kTexelEnds)
+    if (declared.ends_with(end)) return words;
+  throw std::runtime_error(fmt::format("texel buffer {}: its name must end in Words, Pairs or Texels", declared));
+}
+
+/// Block QueueBlock, words queueWords and texels queueTexels are all the buffer queue.
 std::string bufferName(const std::string& declared) {
-  std::string name = withoutEnd(withoutEnd(declared, "Block"), "Texels");
+  std::string name = withoutEnd(declared, "Block");
+  for (const auto& [end, words] : kTexelEnds) name = withoutEnd(name, std::string(end));
   name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
   return name;
 }
@@ -138,8 +151,8 @@ class Reflection {
 
   void addBuffers(Module& module, spvc_resource_type type, const std::string& kind) {
     for (const spvc_reflected_resource& r : list(type)) {
-      module.buffers.push_back(
-          {spvc_compiler_get_decoration(compiler_, r.id, SpvDecorationBinding), kind, bufferName(r.name)});
+      module.buffers.push_back({spvc_compiler_get_decoration(compiler_, r.id, SpvDecorationBinding), kind,
+                                bufferName(r.name), kind == "texels" ? texelWordsOf(r.name) : 0});
       if (kind == "storage") readStruct(r.base_type_id);
     }
   }
@@ -269,7 +282,7 @@ struct {type} {{
 std::string describeCode(const std::string& symbols, const Module& module) {
   std::string buffers;
   for (const Binding& b : module.buffers)
-    buffers += fmt::format("    {{{}, gpu::BufferKind::{}, \"{}\"}},\n", b.slot, b.kind, b.name);
+    buffers += fmt::format("    {{{}, gpu::BufferKind::{}, \"{}\", {}}},\n", b.slot, b.kind, b.name, b.texelWords);
   std::string text;
   const std::string type = typeName(module.name);
   if (!buffers.empty())

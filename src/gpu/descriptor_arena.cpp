@@ -19,10 +19,13 @@ std::string placeOf(const Kernel& kernel, const KernelBuffer& declared) {
 
 void checkBuffer(const Kernel& kernel, const KernelBuffer& declared, const Buffer* buffer, const Limits& limits) {
   if (buffer == nullptr || !*buffer) throw std::logic_error(placeOf(kernel, declared) + ": there is none");
-  if (declared.kind == BufferKind::texels && !buffer->impl().view) {
-    throw std::logic_error(placeOf(kernel, declared) + ": '" + buffer->name() + "' has no texel format");
+  if (declared.kind == BufferKind::texels && texelWords(buffer->texels()) != declared.texelWords) {
+    throw std::logic_error(placeOf(kernel, declared) + ": texels of " + std::to_string(declared.texelWords) +
+                           " words are wanted, those of '" + buffer->name() + "' have " +
+                           std::to_string(texelWords(buffer->texels())));
   }
-  if (declared.kind == BufferKind::storage && buffer->bytes() > limits.maxStorageBufferRange) {
+  const bool isRange = descriptorType(declared.kind, limits) == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+  if (isRange && buffer->bytes() > limits.maxStorageBufferRange) {
     throw DeviceError("buffer '" + buffer->name() + "' of " + std::to_string(buffer->bytes()) +
                           " bytes is larger than a kernel can bind on this device (maxStorageBufferRange " +
                           std::to_string(limits.maxStorageBufferRange) + ")",
@@ -49,7 +52,7 @@ VkDescriptorSet DescriptorArena::bind(const Kernel& kernel, std::span<const Buff
     writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
     writes[i].dstBinding = declared[i].slot;
     writes[i].descriptorCount = 1;
-    writes[i].descriptorType = descriptorType(declared[i].kind);
+    writes[i].descriptorType = descriptorType(declared[i].kind, device_.limits());
     writes[i].pBufferInfo = &infos[i];
     writes[i].pTexelBufferView = &views[i];
   }
@@ -87,7 +90,7 @@ VkDescriptorSet DescriptorArena::allocate(const Kernel& kernel) {
 void DescriptorArena::addPool() {
   std::array<VkDescriptorPoolSize, 3> sizes{};
   for (std::size_t i = 0; i < 3; ++i) {
-    sizes[i] = {descriptorType(static_cast<BufferKind>(i)), kDescriptorsPerPool[i]};
+    sizes[i] = {descriptorType(static_cast<BufferKind>(i), device_.limits()), kDescriptorsPerPool[i]};
   }
   VkDescriptorPoolCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;

@@ -27,6 +27,7 @@ void readLimits(VkPhysicalDevice device, DeviceFacts& facts) {
   Limits& limits = facts.limits;
   limits.maxStorageBufferRange = given.maxStorageBufferRange;
   limits.maxTexelBufferElements = given.maxTexelBufferElements;
+  limits.hasLargeTexelBuffers = hasLargeTexelBuffers(given);
   limits.maxAllocation = maintenance3.maxMemoryAllocationSize;
   limits.maxWorkgroupCountX = given.maxComputeWorkGroupCount[0];
   limits.maxWorkgroupSize = std::min(given.maxComputeWorkGroupSize[0], given.maxComputeWorkGroupInvocations);
@@ -62,6 +63,11 @@ std::optional<std::uint32_t> DeviceFacts::memoryType(std::uint32_t typeBits, VkM
     }
   }
   return best;
+}
+
+bool hasLargeTexelBuffers(const VkPhysicalDeviceLimits& limits) {
+  constexpr std::uint32_t kLarge = 1u << 26;  // Vulkan promises 2^16, which hold no scene; others have this and more
+  return limits.maxTexelBufferElements >= kLarge;
 }
 
 DeviceFacts readFacts(VkPhysicalDevice device, const DeviceInfo& info) {

@@ -24,6 +24,9 @@ struct DeviceFacts {
                                                         VkMemoryPropertyFlags wanted) const;
 };
 
+/// Whether the texel buffers of a device hold those of a scene.
+[[nodiscard]] bool hasLargeTexelBuffers(const VkPhysicalDeviceLimits& limits);
+
 [[nodiscard]] DeviceFacts readFacts(VkPhysicalDevice device, const DeviceInfo& info);
 
 }  // namespace importon::gpu

@@ -5,7 +5,9 @@
 
 #include "base/error.h"
 #include "gpu/device_choice.h"
+#include "gpu/device_facts.h"
 #include "gpu/instance.h"
+#include "gpu/kernel_code.h"
 #include "gpu/vulkan_error.h"
 
 namespace importon::gpu {
@@ -26,9 +28,25 @@ const char* typeName(VkPhysicalDeviceType type) {
   }
 }
 
+/// Names of the limits that are too low for the kernel that binds most, with need and limit.
+std::vector<std::string> missingLimits(const VkPhysicalDeviceLimits& given) {
+  const bool hasTexels = hasLargeTexelBuffers(given);
+  const std::uint32_t storage = hasTexels ? kMostDescriptors.storage : kMostDescriptors.storageAndTexels;
+  const std::uint32_t texels = hasTexels ? kMostDescriptors.texels : 0;
+  std::vector<std::string> missing;
+  const auto need = [&missing](std::uint32_t most, std::uint32_t limit, const char* name) {
+    if (limit < most) missing.push_back(std::to_string(most) + " " + name + " (it has " + std::to_string(limit) + ")");
+  };
+  need(storage, given.maxPerStageDescriptorStorageBuffers, "storage buffers in a kernel");
+  need(texels, given.maxPerStageDescriptorSampledImages, "texel buffers in a kernel");
+  need(kMostDescriptors.uniform, given.maxPerStageDescriptorUniformBuffers, "uniform buffers in a kernel");
+  need(storage + texels + kMostDescriptors.uniform, given.maxPerStageResources, "buffers in a kernel");
+  return missing;
+}
+
 /// Names of what our kernels need and the device does not have, comma separated.
-std::string missingFeatures(VkPhysicalDevice device, std::uint32_t apiVersion) {
-  if (apiVersion < VK_API_VERSION_1_2) return "Vulkan 1.2";
+std::string missingFeatures(VkPhysicalDevice device, const VkPhysicalDeviceProperties& properties) {
+  if (properties.apiVersion < VK_API_VERSION_1_2) return "Vulkan 1.2";
   VkPhysicalDeviceVulkan12Features features12{};
   features12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
   VkPhysicalDeviceFeatures2 features{};
@@ -36,11 +54,12 @@ std::string missingFeatures(VkPhysicalDevice device, std::uint32_t apiVersion) {
   features.pNext = &features12;
   vkGetPhysicalDeviceFeatures2(device, &features);
   std::string missing;
-  const auto need = [&missing](bool has, const char* name) {
-    if (!has) missing += (missing.empty() ? "" : ", ") + std::string(name);
+  const auto need = [&missing](bool has, const std::string& name) {
+    if (!has) missing += (missing.empty() ? "" : ", ") + name;
   };
   need(features12.scalarBlockLayout == VK_TRUE, "scalarBlockLayout");
   need(computeQueue(device).has_value(), "compute queue");
+  for (const std::string& limit : missingLimits(properties.limits)) need(false, limit);
   return missing;
 }
 
@@ -60,7 +79,7 @@ DeviceInfo describe(VkPhysicalDevice device) {
   if (driver.driverInfo[0] != '\0') info.driver += " " + std::string(driver.driverInfo);
   info.type = typeName(properties.properties.deviceType);
   info.apiVersion = properties.properties.apiVersion;
-  info.missing = missingFeatures(device, info.apiVersion);
+  info.missing = missingFeatures(device, properties.properties);
   return info;
 }
 

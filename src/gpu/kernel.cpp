@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "gpu/kernel_impl.h"
+#include "gpu/storage_texels.h"
 #include "gpu/vulkan_error.h"
 #include "shared/features.h"
 
@@ -50,7 +51,8 @@ void checkLimits(const Limits& limits, const std::string& label, const KernelCod
 SetLayoutHandle createSetLayout(Device& device, const std::string& label, std::span<const KernelBuffer> buffers) {
   std::vector<VkDescriptorSetLayoutBinding> entries;
   for (const KernelBuffer& buffer : buffers) {
-    entries.push_back({buffer.slot, descriptorType(buffer.kind), 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
+    entries.push_back(
+        {buffer.slot, descriptorType(buffer.kind, device.limits()), 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
   }
   VkDescriptorSetLayoutCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
@@ -122,12 +124,13 @@ PipelineHandle createPipeline(Device& device, const std::string& label, VkShader
 
 }  // namespace
 
-VkDescriptorType descriptorType(BufferKind kind) {
+VkDescriptorType descriptorType(BufferKind kind, const Limits& limits) {
   switch (kind) {
     case BufferKind::uniform:
       return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     case BufferKind::texels:
-      return VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+      if (limits.hasLargeTexelBuffers) return VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+      break;
     case BufferKind::storage:
       break;
   }
@@ -151,7 +154,10 @@ Kernel::Kernel(Context& context, std::string label, const KernelCode& code,
 void Kernel::compile() const {
   std::call_once(impl_->compiles, [this] {
     Device& device = *impl_->device;
-    const ShaderModuleHandle shader = createModule(device, label_, moduleFor(*impl_->code, impl_->constants));
+    std::span<const std::uint32_t> module = moduleFor(*impl_->code, impl_->constants);
+    std::vector<std::uint32_t> rewritten;
+    if (!device.limits().hasLargeTexelBuffers) module = rewritten = storageTexels(module, impl_->code->buffers);
+    const ShaderModuleHandle shader = createModule(device, label_, module);
     impl_->pipeline = createPipeline(device, label_, shader.get(), impl_->pipelineLayout.get(), impl_->constants);
   });
 }

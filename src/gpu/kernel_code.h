@@ -13,6 +13,7 @@ struct KernelBuffer {
   std::uint32_t slot;  // its binding in set 0
   BufferKind kind;
   std::string_view name;
+  std::uint32_t texelWords;  // 32-bit words of a texel, 1, 2 or 4; 0: not texels
 };
 
 struct KernelCode {
@@ -30,5 +31,12 @@ struct KernelCode {
   [[nodiscard]] std::span<const std::uint32_t> lean() const { return {end, leanEnd}; }
   [[nodiscard]] std::span<const std::uint32_t> placed() const { return {leanEnd, placedEnd}; }
 };
+
+/// What the kernel that binds most binds: more than Vulkan promises, so a device is asked before anything is built.
+struct MostDescriptors {
+  std::uint32_t storage, texels, uniform;
+  std::uint32_t storageAndTexels;  // of one kernel, where texels are read from storage buffers
+};
+inline constexpr MostDescriptors kMostDescriptors{12, 18, 2, 30};
 
 }  // namespace importon::gpu

@@ -22,6 +22,7 @@ struct Kernel::Impl {
   PipelineHandle pipeline;  // null until compiled
 };
 
-[[nodiscard]] VkDescriptorType descriptorType(BufferKind kind);
+/// What a buffer of that kind is bound as.
+[[nodiscard]] VkDescriptorType descriptorType(BufferKind kind, const Limits& limits);
 
 }  // namespace importon::gpu

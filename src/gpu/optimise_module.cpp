@@ -4,8 +4,9 @@
 /// done once, with the constants left open. LEAN is the same module with the constants of rare features
 /// (kSpecFirstRare) taken for false, or an empty file if it has none: what most scenes never need is not in it at all.
 /// PLACED is that for scenes that need kSpecHasInstances alone of these, or an empty file where it makes no difference.
-/// Throws at a module that is not valid for Vulkan 1.2 with scalar block layout. FOLDER keeps what was made, for builds
-/// that make the same: it takes seconds.
+/// In all of them lanes keep what they had when they left a loop (close_loops.h). Throws at a module that is not valid
+/// for Vulkan 1.2 with scalar block layout. FOLDER keeps what was made, for builds that make the same: it takes
+/// seconds.
 #include <spirv_cross/spirv.h>
 #include <unistd.h>
 
@@ -25,6 +26,7 @@
 #include <vector>
 
 #include "base/hash.h"
+#include "gpu/close_loops.h"
 #include "shared/features.h"
 
 namespace {
@@ -99,20 +101,29 @@ void tell(spv_message_level_t, const char*, const spv_position_t& at, const char
   std::cerr << "word " << at.index << ": " << message << "\n";
 }
 
+spvtools::ValidatorOptions scalarLayout() {
+  spvtools::ValidatorOptions options;
+  options.SetScalarBlockLayout(true);
+  return options;
+}
+
+Words validated(Words module) {
+  spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_2);
+  tools.SetMessageConsumer(tell);
+  if (!tools.Validate(module.data(), module.size(), scalarLayout()))
+    throw std::runtime_error("is not valid when optimised");
+  return module;
+}
+
 Words optimised(const Words& module, const std::vector<std::string>& passes) {
   spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
   optimizer.SetMessageConsumer(tell);
   if (!optimizer.RegisterPassesFromFlags(passes)) throw std::runtime_error("an unknown pass");
-  spvtools::ValidatorOptions layout;
-  layout.SetScalarBlockLayout(true);
   spvtools::OptimizerOptions options;
   options.set_run_validator(true);
-  options.set_validator_options(layout);
+  options.set_validator_options(scalarLayout());
   Words result;
   if (!optimizer.Run(module.data(), module.size(), &result, options)) throw std::runtime_error("cannot be optimised");
-  spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_2);
-  tools.SetMessageConsumer(tell);
-  if (!tools.Validate(result.data(), result.size(), layout)) throw std::runtime_error("is not valid when optimised");
   return result;
 }
 
@@ -124,7 +135,7 @@ Modules optimisedAll(const Words& module) {
   const Words open = optimised(module, kOpen);
   Modules modules{open, withoutRare(open, Instances::left), withoutRare(open, Instances::taken)};
   for (Words& each : modules)
-    if (!each.empty()) each = optimised(each, kClosed);
+    if (!each.empty()) each = validated(importon::gpu::closeLoops(optimised(each, kClosed)));
   return modules;
 }
 

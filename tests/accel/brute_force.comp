@@ -10,7 +10,7 @@
 
 layout(scalar, binding = 0) readonly buffer RaysBlock { Ray rays[]; };
 layout(scalar, binding = 1) writeonly buffer HitsBlock { Hit hits[]; };
-layout(binding = 2) uniform usamplerBuffer triangles;  // BvhTriangle, three texels each
+layout(binding = 2) uniform usamplerBuffer trianglesTexels;  // BvhTriangle, three each
 layout(push_constant, scalar) uniform Push { uint count; uint triangleCount; } push;
 
 void main() {
@@ -21,8 +21,8 @@ void main() {
   Hit best = Hit(ray.tMax, 0.0, 0.0, kNone);
   for (uint n = 0u; n < push.triangleCount; ++n) {
     const int texel = int(3u * n);
-    const uvec4 a = texelFetch(triangles, texel), b = texelFetch(triangles, texel + 1),
-                c = texelFetch(triangles, texel + 2);
+    const uvec4 a = texelFetch(trianglesTexels, texel), b = texelFetch(trianglesTexels, texel + 1),
+                c = texelFetch(trianglesTexels, texel + 2);
     const TriangleHit hit = intersectTriangle(shear, ray.origin, ray.direction, uintBitsToFloat(a.xyz),
                                               uintBitsToFloat(b.xyz), uintBitsToFloat(c.xyz));
     if (hit.isHit && (hit.t < best.t || (hit.t == best.t && a.w < best.triangle)))

@@ -17,7 +17,7 @@ constexpr std::size_t kCounters = 64;
 
 RayTracer::RayTracer(gpu::Context& context, const Bvh& bvh) : RayTracer(context, bvh, false) {
   scene_.bvh = gpu::makeBuffer<BvhRecord>(context, "BVH", bvh.nodes, gpu::TexelFormat::uint4);
-  scene_.instances = gpu::makeBuffer<uvec4>(context, "instances", packInstances({}, {}), gpu::TexelFormat::uint4);
+  scene_.tables = gpu::makeBuffer<uvec4>(context, "tables", packInstances({}, {}), gpu::TexelFormat::uint4);
 }
 
 RayTracer::RayTracer(gpu::Context& context, const Bvh& bvh, const Scene& scene) : RayTracer(context, bvh, true) {

@@ -2,6 +2,7 @@
 //   lost N        the N-th submission, and all after it, find the device lost
 //   memory MIB    allocations fail once so much is in use
 //   heap MIB      the device says that it has no more memory than that
+// IMPORTON_TEST_LIMITS: see lower_limits.h.
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
@@ -12,6 +13,8 @@
 #include <map>
 #include <mutex>
 #include <string>
+
+#include "lower_limits.h"
 
 namespace {
 
@@ -32,8 +35,11 @@ const Fault& fault() {
 
 PFN_vkGetInstanceProcAddr nextInstanceProc = nullptr;
 PFN_vkGetDeviceProcAddr nextDeviceProc = nullptr;
-PFN_vkGetPhysicalDeviceMemoryProperties nextMemoryProperties =
-    nullptr;  // asked for later, the loader names this layer's own
+// Asked for later, the loader names this layer's own.
+PFN_vkGetPhysicalDeviceMemoryProperties nextMemoryProperties = nullptr;
+PFN_vkGetPhysicalDeviceProperties nextProperties = nullptr;
+PFN_vkGetPhysicalDeviceProperties2 nextProperties2 = nullptr;
+PFN_vkGetPhysicalDeviceQueueFamilyProperties nextQueueFamilies = nullptr;
 VkInstance instance = VK_NULL_HANDLE;
 VkDevice device = VK_NULL_HANDLE;
 std::atomic<std::uint64_t> submissions{0};
@@ -44,6 +50,11 @@ std::uint64_t bytesInUse = 0;
 template <class Function>
 Function next(const char* name) {
   return reinterpret_cast<Function>(nextDeviceProc(device, name));
+}
+
+template <class Function>
+void ask(Function& next, const char* name) {
+  next = reinterpret_cast<Function>(nextInstanceProc(instance, name));
 }
 
 /// What the loader passes on to the layers: the link to the next one.
@@ -64,8 +75,10 @@ VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, 
   const VkResult result = create(info, allocator, created);
   if (result != VK_SUCCESS) return result;
   instance = *created;
-  nextMemoryProperties = reinterpret_cast<PFN_vkGetPhysicalDeviceMemoryProperties>(
-      nextInstanceProc(instance, "vkGetPhysicalDeviceMemoryProperties"));
+  ask(nextMemoryProperties, "vkGetPhysicalDeviceMemoryProperties");
+  ask(nextProperties, "vkGetPhysicalDeviceProperties");
+  ask(nextProperties2, "vkGetPhysicalDeviceProperties2");
+  ask(nextQueueFamilies, "vkGetPhysicalDeviceQueueFamilyProperties");
   return result;
 }
 
@@ -120,6 +133,25 @@ VKAPI_ATTR void VKAPI_CALL getMemoryProperties(VkPhysicalDevice physical,
     properties->memoryHeaps[i].size = std::min<VkDeviceSize>(properties->memoryHeaps[i].size, fault().limit << 20);
 }
 
+VKAPI_ATTR void VKAPI_CALL getProperties(VkPhysicalDevice physical, VkPhysicalDeviceProperties* properties) {
+  nextProperties(physical, properties);
+  importon::test::lowerLimits(properties->limits);
+}
+
+VKAPI_ATTR void VKAPI_CALL getProperties2(VkPhysicalDevice physical, VkPhysicalDeviceProperties2* properties) {
+  nextProperties2(physical, properties);
+  importon::test::lowerLimits(properties->properties.limits);
+  for (auto* at = static_cast<VkBaseOutStructure*>(properties->pNext); at != nullptr; at = at->pNext)
+    if (at->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES)
+      importon::test::lowerLimits(*reinterpret_cast<VkPhysicalDeviceMaintenance3Properties*>(at));
+}
+
+VKAPI_ATTR void VKAPI_CALL getQueueFamilies(VkPhysicalDevice physical, std::uint32_t* count,
+                                            VkQueueFamilyProperties* families) {
+  nextQueueFamilies(physical, count, families);
+  for (std::uint32_t i = 0; families != nullptr && i < *count; ++i) importon::test::lowerLimits(families[i]);
+}
+
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceProc(VkDevice of, const char* name);
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL instanceProc(VkInstance of, const char* name);
 
@@ -132,6 +164,9 @@ PFN_vkVoidFunction ownProc(const char* name) {
       {"vkAllocateMemory", reinterpret_cast<PFN_vkVoidFunction>(allocateMemory)},
       {"vkFreeMemory", reinterpret_cast<PFN_vkVoidFunction>(freeMemory)},
       {"vkGetPhysicalDeviceMemoryProperties", reinterpret_cast<PFN_vkVoidFunction>(getMemoryProperties)},
+      {"vkGetPhysicalDeviceProperties", reinterpret_cast<PFN_vkVoidFunction>(getProperties)},
+      {"vkGetPhysicalDeviceProperties2", reinterpret_cast<PFN_vkVoidFunction>(getProperties2)},
+      {"vkGetPhysicalDeviceQueueFamilyProperties", reinterpret_cast<PFN_vkVoidFunction>(getQueueFamilies)},
       {"vkGetDeviceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(deviceProc)},
       {"vkGetInstanceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(instanceProc)},
   };

@@ -29,6 +29,24 @@ TEST(Capabilities, OfKernelsAreThoseOfEveryDevice) {
       EXPECT_TRUE(everywhere.contains(capability)) << code->name << " declares capability " << capability;
 }
 
+TEST(Capabilities, NoKernelBindsMoreThanDevicesAreAskedFor) {
+  MostDescriptors most{};
+  for (const KernelCode* code : kernels::all()) {
+    const auto count = [code](BufferKind kind) {
+      return static_cast<std::uint32_t>(std::ranges::count(code->buffers, kind, &KernelBuffer::kind));
+    };
+    most.storage = std::max(most.storage, count(BufferKind::storage));
+    most.texels = std::max(most.texels, count(BufferKind::texels));
+    most.uniform = std::max(most.uniform, count(BufferKind::uniform));
+    most.storageAndTexels = std::max(most.storageAndTexels, count(BufferKind::storage) + count(BufferKind::texels));
+    EXPECT_LE(code->pushConstantBytes, 128u) << code->name;
+  }
+  EXPECT_EQ(most.storage, kMostDescriptors.storage);
+  EXPECT_EQ(most.texels, kMostDescriptors.texels);
+  EXPECT_EQ(most.uniform, kMostDescriptors.uniform);
+  EXPECT_EQ(most.storageAndTexels, kMostDescriptors.storageAndTexels);
+}
+
 TEST(Capabilities, AreSeen) {
   EXPECT_TRUE(capabilitiesOf(test_kernels::code("needs_int64").spirv()).contains(spv::CapabilityInt64));
 }

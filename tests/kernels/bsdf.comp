@@ -12,8 +12,8 @@ uint instanceOfPage(uint i) { return i; }
 uvec4 materialTexel(uint i) { return uvec4(i); }
 uvec4 textureTexel(uint i) { return uvec4(i); }
 uint imageTexel(uint i) { return i; }
-layout(binding = 2) uniform usamplerBuffer albedoTexels;
-uint albedoTexel(uint i) { return texelFetch(albedoTexels, int(i)).x; }
+layout(binding = 2) uniform usamplerBuffer albedoWords;
+uint albedoTexel(uint i) { return texelFetch(albedoWords, int(i)).x; }
 #include "lib/bsdf.glsl"
 
 struct Query {

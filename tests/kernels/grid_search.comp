@@ -22,7 +22,7 @@ void main() {
   Walk walk = beginWalk(storedFrame(), 0x1FFFFFu, item.position, item.normal, item.radius, item.radius);
   while (nextPoint(walk)) {
     if (!isInside(walk, item.normal, item.radius)) continue;
-    if (met < kept) found[base + 2u + met] = texelFetch(storedOrder, int(walk.index)).x;
+    if (met < kept) found[base + 2u + met] = texelFetch(storedOrderWords, int(walk.index)).x;
     ++met;
   }
   found[base] = met;

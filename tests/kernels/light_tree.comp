@@ -19,13 +19,13 @@ struct Answer {
 
 layout(binding = 0, scalar) readonly buffer In { Query items[]; };
 layout(binding = 1, scalar) writeonly buffer Out { Answer results[]; };
-layout(binding = 2) uniform usamplerBuffer tree;
+layout(binding = 2) uniform usamplerBuffer treeTexels;
 layout(push_constant, scalar) uniform Push {
   uint count;
   uint lights;
 };
 
-uvec4 lightTreeTexel(uint i) { return texelFetch(tree, int(i)); }
+uvec4 lightTreeTexel(uint i) { return texelFetch(treeTexels, int(i)); }
 float unseenLight() { return 0.05; }
 #include "lib/light_tree.glsl"
 

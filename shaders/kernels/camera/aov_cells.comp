@@ -7,8 +7,8 @@
 #include "bindings/importance.glsl"
 #include "bindings/irradiance.glsl"
 
-uniform usamplerBuffer cellSums;
-uniform usamplerBuffer cellPlaces;
+uniform usamplerBuffer cellSumsTexels;
+uniform usamplerBuffer cellPlacesPairs;
 layout(scalar) writeonly buffer AovBlock { float aov[]; };
 layout(push_constant, scalar) uniform Push {
   uint count;
@@ -23,8 +23,8 @@ void main() {
   const Surface s = loadSurface(hit.triangle, vec2(hit.u, hit.v), ray.direction);
   const uint side = cellSide(hit.triangle, vec2(hit.u, hit.v), s.isFront);
   const uint base = kAovFloats * slot + 1u;
-  const float area = uintBitsToFloat(texelFetch(cellPlaces, int(side / 2u)).y);
+  const float area = uintBitsToFloat(texelFetch(cellPlacesPairs, int(side / 2u)).y);
   aov[base + kAovImportance] = importanceAt(params.globalMap, s.position, s.mapNormal);
   aov[base + kAovRequired] = requiredDensity(params.globalMap, s.position, s.mapNormal);
-  aov[base + kAovDensity] = texelFetch(cellSums, int(2u * side + 1u)).z > 0u ? 1.0 / max(area, 1e-30) : 0.0;
+  aov[base + kAovDensity] = texelFetch(cellSumsTexels, int(2u * side + 1u)).z > 0u ? 1.0 / max(area, 1e-30) : 0.0;
 }

@@ -7,7 +7,7 @@
 #include "bindings/stored.glsl"
 #include "lib/sampling.glsl"
 
-uniform samplerBuffer weights;
+uniform samplerBuffer weightsWords;
 layout(scalar) readonly buffer FootprintsBlock { float footprints[]; };
 layout(push_constant, scalar) uniform Push {
   uint levels;
@@ -38,8 +38,8 @@ void main() {
     if (d2 < 0.0 || d2 >= limit) continue;
     // Of the footprint density g, and w pixels for each importon, there are g/w per m².
     const float density =
-        footprints[selection[texelFetch(storedOrder, int(walk.index)).x / uint(bitCount(push.levels))]];
-    const float weight = texelFetch(weights, int(walk.index)).x;
+        footprints[selection[texelFetch(storedOrderWords, int(walk.index)).x / uint(bitCount(push.levels))]];
+    const float weight = texelFetch(weightsWords, int(walk.index)).x;
     const float area = min(kSpokenFor * weight / max(density, 1e-30), kPi * limit);
     if (kPi * d2 >= area) continue;
     most = max(most, density);

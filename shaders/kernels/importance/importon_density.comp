@@ -8,7 +8,7 @@
 #include "lib/density.glsl"
 
 layout(scalar) readonly buffer StartLevelsBlock { uint startLevels[]; };
-uniform samplerBuffer weights;
+uniform samplerBuffer weightsWords;
 layout(push_constant, scalar) uniform Push {
   uint levels;
   uint nearest;
@@ -26,7 +26,7 @@ float importanceWithin(inout Walk walk, vec3 normal, float radius, inout float l
   while (nextPoint(walk)) {
     const float d2 = likeDistance(walk, normal, radius);
     if (d2 < 0.0 || d2 >= limit) continue;
-    const float weight = texelFetch(weights, int(walk.index)).x;
+    const float weight = texelFetch(weightsWords, int(walk.index)).x;
     sum += weight;
     ++count;
     if (d2 >= outermost) {

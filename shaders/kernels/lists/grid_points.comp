@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "bindings/parameters.glsl"
 
-uniform usamplerBuffer points;
+uniform usamplerBuffer pointsTexels;
 layout(scalar) readonly buffer OrderBlock { uint order[]; };
 layout(scalar) writeonly buffer PointsOutBlock { uvec4 pointsOut[]; };
 layout(push_constant, scalar) uniform Push {
@@ -12,5 +12,5 @@ layout(push_constant, scalar) uniform Push {
 
 void main() {
   const uint i = invocationIndex();
-  if (i < counters[push.source]) pointsOut[i] = texelFetch(points, int(order[i]));
+  if (i < counters[push.source]) pointsOut[i] = texelFetch(pointsTexels, int(order[i]));
 }

@@ -6,8 +6,8 @@
 #include "bindings/stored.glsl"
 #include "lib/flux.glsl"
 
-uniform usamplerBuffer mapFlux;
-uniform usamplerBuffer points;
+uniform usamplerBuffer mapFluxPairs;
+uniform usamplerBuffer pointsTexels;
 layout(scalar) writeonly buffer IrradianceBlock { uvec2 irradiance[]; };
 layout(push_constant, scalar) uniform Push {
   uint count;
@@ -19,7 +19,7 @@ layout(push_constant, scalar) uniform Push {
 void main() {
   const uint i = invocationIndex();
   if (i >= push.count || (push.arePhotons != 0u && i >= counters[kCounterStored])) return;
-  const uvec4 point = texelFetch(points, int(i));
+  const uvec4 point = texelFetch(pointsTexels, int(i));
   const vec3 position = uintBitsToFloat(point.xyz), normal = mapPointNormal(point.w);
   MapSettings map = params.causticMap;
   if (push.isGlobal != 0u) map = params.globalMap;
@@ -28,7 +28,7 @@ void main() {
   vec3 sum = vec3(0.0);
   while (nextPoint(walk)) {
     if (!isInside(walk, normal, radius) || !hasLikeNormal(walk.packed, normal, kLikeNormal)) continue;
-    sum += unpackFlux(texelFetch(mapFlux, int(walk.index)).xy) * epanechnikov(dot(walk.offset, walk.offset), radius);
+    sum += unpackFlux(texelFetch(mapFluxPairs, int(walk.index)).xy) * epanechnikov(dot(walk.offset, walk.offset), radius);
   }
   irradiance[i] = packFlux(sum);
 }

@@ -12,7 +12,7 @@
 #include "lib/flux.glsl"
 
 layout(scalar) readonly buffer EyeVerticesBlock { EyeVertex eyeVertices[]; };
-uniform usamplerBuffer irradiance;
+uniform usamplerBuffer irradiancePairs;
 layout(push_constant, scalar) uniform Push {
   uint source;
   uint isGlobal;
@@ -61,7 +61,7 @@ void main() {
   if (at == kNone) return;
   float pdf;
   const vec3 reflectance = evalBsdf(b, wo, vec3(0.0, 0.0, 1.0), pdf);  // its cosine is 1
-  const vec3 light = vertex.throughput * reflectance * unpackFlux(texelFetch(irradiance, int(at)).xy);
+  const vec3 light = vertex.throughput * reflectance * unpackFlux(texelFetch(irradiancePairs, int(at)).xy);
   if ((flags & kPathLookupDeep) != 0u) pathLight[slot].indirect += light;
   else pathLight[slot].caustic += light;
   paths[slot].flags = flags & ~kPathLookup;

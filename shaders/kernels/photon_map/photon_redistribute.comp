@@ -37,7 +37,7 @@ uint takeReceivers(Walk walk, GridFrame frame, Giver giver, float radius) {
     const float own = min(radius, 0.375 * gridCellEdge(frame, walk.level));
     if (!isInside(walk, giver.normal, own) || !hasLikeNormal(walk.packed, giver.normal, kLikeNormal)) continue;
     if (!giver.isGlossy || comesAlike(mapPointDirection(walk.packed), giver))
-      count = insertReceiver(count, texelFetch(storedOrder, int(walk.index)).x, dot(walk.offset, walk.offset));
+      count = insertReceiver(count, texelFetch(storedOrderWords, int(walk.index)).x, dot(walk.offset, walk.offset));
   }
   return count;
 }

@@ -12,7 +12,7 @@ layout(push_constant, scalar) uniform Push {
 } push;
 
 CellLight lightOfMember(uint member, uint side) {
-  const uint node = texelFetch(cellMembers, int(member)).x;
+  const uint node = texelFetch(cellMembersWords, int(member)).x;
   if (node < push.cells) return lightOfCell(node, side);
   float share;
   uint outer;
@@ -23,7 +23,7 @@ void main() {
   const uint i = invocationIndex();
   if (i >= 2u * push.count) return;
   const uint group = push.first + i / 2u, side = i % 2u;
-  const uvec4 place = texelFetch(cellGroups, int(group));
+  const uvec4 place = texelFetch(cellGroupsTexels, int(group));
   const float area = max(uintBitsToFloat(place.w), 1e-30);
   vec3 flux = vec3(0.0);
   float squares = 0.0;

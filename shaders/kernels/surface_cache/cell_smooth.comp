@@ -15,7 +15,7 @@ void main() {
   const uint cell = i / 2u, side = i % 2u;
   const CellLight light = lightOfCell(cell, side);
   vec3 inner = light.irradiance, differences = vec3(0.0);
-  for (uint group = texelFetch(cellPlaces, int(cell)).x, outer; group != kNone; group = outer) {
+  for (uint group = texelFetch(cellPlacesPairs, int(cell)).x, outer; group != kNone; group = outer) {
     float share;
     const vec3 mean = lightOfGroup(group, side, share, outer).irradiance;
     differences += share * (inner - mean);

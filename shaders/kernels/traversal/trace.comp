@@ -2,9 +2,8 @@
 // Traces the rays of a queue: the nearest hit of each, or whether anything is in its way.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#include "bindings/tables.glsl"
 
-uniform usamplerBuffer instancesTexels;
-uvec4 instanceTexel(uint i) { return texelFetch(instancesTexels, int(i)); }
 bool acceptHit(uint stored, uint number, vec2 barycentrics, uint rayId) { return true; }
 
 #include "bindings/trace.glsl"

@@ -118,6 +118,33 @@ gpu::Buffer buffer(gpu::Context& context, const char* name, const std::vector<T,
   return gpu::makeBuffer<T>(context, name, data.empty() ? placeholder : data, format);
 }
 
+/// Appends the bytes of `data` as whole items of `to`; the index of the first.
+template <class Word, class Items>
+uint append(std::vector<Word>& to, const Items& data) {
+  const std::span bytes = std::as_bytes(std::span(data));
+  const std::size_t first = to.size();
+  to.resize(first + bytes.size() / sizeof(Word));
+  std::memcpy(to.data() + first, bytes.data(), bytes.size());
+  return static_cast<uint>(first);
+}
+
+/// The small tables, which share two buffers.
+void uploadTables(DeviceScene& d, gpu::Context& context, const Scene& scene, const Bvh& bvh) {
+  std::vector<uvec4> tables = packInstances(scene.placed, bvh.meshRoots);
+  std::vector<uint> lists;
+  append(lists, albedoTable());
+  TableStarts starts{};
+  starts.materials = append(tables, withMedia(scene.materials));
+  starts.textures = append(tables, packTextures(scene));
+  starts.lights = append(tables, packLights(scene));
+  starts.lightTree = append(tables, packLightTree(scene));
+  starts.instanceOfPage = append(lists, instancesOfPages(scene.placed));
+  starts.lightOfTriangle = append(lists, scene.lightOfTriangle);
+  d.starts = gpu::makeBuffer(context, "starts of tables", std::span<const TableStarts>(&starts, 1));
+  d.tables = buffer(context, "tables", tables, TexelFormat::uint4);
+  d.lists = buffer(context, "lists", lists, TexelFormat::uint1);
+}
+
 /// Shares of the photons without a guide: by power, but a part of them evenly, so that a light beside a much stronger
 /// one still gets photons where only it shines.
 std::vector<double> emissionWeights(const Scene& scene) {
@@ -164,16 +191,9 @@ DeviceScene uploadScene(gpu::Context& context, const Scene& scene, const Bvh& bv
   d.bvh = buffer(context, "BVH", bvh.nodes, TexelFormat::uint4);
   d.vertices = buffer(context, "vertices", packVertices(scene), TexelFormat::uint4);
   d.triangles = buffer(context, "triangles", scene.triangles, TexelFormat::uint4);
-  d.materials = buffer(context, "materials", withMedia(scene.materials), TexelFormat::uint4);
-  d.textures = buffer(context, "textures", packTextures(scene), TexelFormat::uint4);
   d.images = buffer(context, "texels", scene.texels, TexelFormat::uint1);
-  d.lights = buffer(context, "lights", packLights(scene), TexelFormat::uint4);
-  d.lightTree = buffer(context, "light tree", packLightTree(scene), TexelFormat::uint4);
   d.lightAlias = buffer(context, "light alias table", makeAliasTable(emissionWeights(scene)));
-  d.lightOfTriangle = buffer(context, "light of triangle", scene.lightOfTriangle, TexelFormat::uint1);
-  d.albedo = gpu::makeBuffer(context, "directional albedo", albedoTable(), TexelFormat::uint1);
-  d.instances = buffer(context, "instances", packInstances(scene.placed, bvh.meshRoots), TexelFormat::uint4);
-  d.instanceOfPage = buffer(context, "instances of pages", instancesOfPages(scene.placed), TexelFormat::uint1);
+  uploadTables(d, context, scene, bvh);
   const EnvironmentMap black{1, 1, {vec3(0.0f)}};
   const EnvironmentMap& environment = scene.environment ? *scene.environment : black;
   d.environment = buffer(context, "environment", packEnvironment(environment), TexelFormat::uint4);

@@ -10,9 +10,8 @@ namespace importon {
 
 /// By the names that kernels have for its buffers.
 struct DeviceScene {
-  gpu::Buffer bvh, vertices, triangles, materials, textures, images, lights, lightAlias, lightOfTriangle, albedo;
-  gpu::Buffer environment, environmentAliases, lightTree;
-  gpu::Buffer instances, instanceOfPage;
+  gpu::Buffer bvh, vertices, triangles, images, lightAlias, environment, environmentAliases;
+  gpu::Buffer starts, tables, lists;  // shaders/bindings/tables.glsl
   double area = 0;  // m², of one side of all surfaces
 };
 

@@ -1,0 +1,13 @@
+/// Limits of a device lowered to what Vulkan 1.2 promises. IMPORTON_TEST_LIMITS names them, apart by commas, or `all`:
+/// texels, ranges, workgroups, shared, allocations, timestamps, descriptors. `all` leaves out descriptors, of which
+/// kernels need more than is promised.
+#pragma once
+#include <vulkan/vulkan.h>
+
+namespace importon::test {
+
+void lowerLimits(VkPhysicalDeviceLimits& limits);
+void lowerLimits(VkPhysicalDeviceMaintenance3Properties& properties);
+void lowerLimits(VkQueueFamilyProperties& family);
+
+}  // namespace importon::test
