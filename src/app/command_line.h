@@ -17,8 +17,8 @@ struct RenderCommand {
   std::vector<std::filesystem::path> scenes;  // as given; of one, the job's
   std::filesystem::path list;                 // of further jobs; empty: none
   std::vector<std::string> given;             // long names of the options of the table that were given
-  bool isTalk = false;                     // --talk; its settings stand in the job
-  std::vector<std::string> photonOptions;  // names of the given options that mean nothing to the path tracer
+  bool isTalk = false;                        // --talk; its settings stand in the job
+  std::vector<std::string> photonOptions;     // names of the given options that mean nothing to the path tracer
   Log::Verbosity verbosity = Log::Verbosity::normal;
 };
 

@@ -33,7 +33,7 @@ void tellOfOptions(const RenderCommand& command, Log& log);
 /// DeviceError and OutputError.
 [[nodiscard]] RenderOutcome renderLoaded(const RenderJob& job, const LoadedScene& loaded, Log& log,
                                          const std::atomic<bool>& isInterrupted,
-                                         std::chrono::steady_clock::time_point start,
-                                         const RenderSources& sources = {}, const std::string& progress = "");
+                                         std::chrono::steady_clock::time_point start, const RenderSources& sources = {},
+                                         const std::string& progress = "");
 
 }  // namespace importon

@@ -124,7 +124,7 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
       ->required()
       ->check(notEmpty())
       ->type_name("");
-  app.add_option("--list", command.list, "render what each line names, a scene and its options, too")
+  app.add_option("--list", command.list, "text file that names a further scene, with its options, in each line")
       ->check(notEmpty())
       ->type_name("FILE")
       ->group(headingAsText(OptionGroup::output));
@@ -164,12 +164,9 @@ void parseListLine(std::vector<std::string> words, RenderCommand& command, const
     for (const auto& [name, member] : names)
       if (app.count(name) > 0) command.job.*member = folder / command.job.*member;
   };
-  place(folders.inputs,
-        {{"--environment", &J::environment}, {"--reference", &J::reference}, {"--resume", &J::resume}});
-  place(folders.outputs, {{"--output", &J::output},
-                          {"--png", &J::png},
-                          {"--stats", &J::stats},
-                          {"--checkpoint", &J::checkpoint}});
+  place(folders.inputs, {{"--environment", &J::environment}, {"--reference", &J::reference}, {"--resume", &J::resume}});
+  place(folders.outputs,
+        {{"--output", &J::output}, {"--png", &J::png}, {"--stats", &J::stats}, {"--checkpoint", &J::checkpoint}});
   command.scenes.front() = folders.inputs / command.scenes.front();
   finishRenderCommand(app, command);
 }

@@ -21,9 +21,7 @@ void writeToStderr(std::string_view text) {
 }  // namespace
 
 Log::Log(Verbosity verbosity, const std::string& subject)
-    : verbosity_(verbosity),
-      subject_(subject.empty() ? "" : subject + ": "),
-      isTerminal_(isatty(STDERR_FILENO) == 1) {}
+    : verbosity_(verbosity), subject_(subject.empty() ? "" : subject + ": "), isTerminal_(isatty(STDERR_FILENO) == 1) {}
 
 Log::~Log() {
   endProgress();

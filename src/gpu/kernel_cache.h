@@ -35,7 +35,7 @@ class KernelCache {
   [[nodiscard]] Key keyOf(std::string_view label, const KernelCode& code, std::span<const Specialization> constants);
 
   Context& context_;
-  mutable std::mutex mutex_;                                           // of the next two
+  mutable std::mutex mutex_;                                          // of the next two
   std::map<const KernelCode*, std::vector<std::uint32_t>> declared_;  // ids
   std::map<Key, Kernel> kernels_;
 };

@@ -33,7 +33,6 @@ struct RenderResult {
 [[nodiscard]] RenderResult render(const RenderJob& job, const Scene& scene, Log& log,
                                   const std::atomic<bool>& isInterrupted,
                                   const std::function<void(const RenderProgress&)>& progress,
-                                  std::chrono::steady_clock::time_point start,
-                                  const RenderSources& sources = {});
+                                  std::chrono::steady_clock::time_point start, const RenderSources& sources = {});
 
 }  // namespace importon

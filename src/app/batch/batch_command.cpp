@@ -97,8 +97,7 @@ ExitStatus Batch::run() {
     runEntry(entry, *ahead);
     jobStart_ = Clock::now();
   }
-  if (!command_.summary.empty())
-    writeTextFile(command_.summary, summaryJson(command_, results_, secondsSince(start_)));
+  if (!command_.summary.empty()) writeTextFile(command_.summary, summaryJson(command_, results_, secondsSince(start_)));
   tellOfEnd();
   return worstStatus(results_);
 }

@@ -45,7 +45,8 @@ void addEntry(BatchCommand& command, RenderCommand render, const std::string& ca
 }
 
 void addLine(BatchCommand& command, const RenderCommand& shared, const ListLine& line, const ListFolders& folders) {
-  const std::string where = fmt::format("{}:{}", shared.list == "-" ? "standard input" : shared.list.string(), line.number);
+  const std::string where =
+      fmt::format("{}:{}", shared.list == "-" ? "standard input" : shared.list.string(), line.number);
   RenderCommand render = shared;
   render.job.camera.clear();
   try {
@@ -68,7 +69,8 @@ bool isBatch(const RenderCommand& command) {
 
 BatchCommand makeBatchCommand(const RenderCommand& common) {
   checkCommon(common);
-  BatchCommand command{{}, common.job.output, common.job.png, common.job.stats, common.job.commandLine, common.verbosity};
+  BatchCommand command{
+      {}, common.job.output, common.job.png, common.job.stats, common.job.commandLine, common.verbosity};
   const RenderCommand shared = sharedPart(common);
   if (!common.scenes.empty() && command.folder.empty())
     throw UsageError("--output is required", "command line", "see importon render --help");

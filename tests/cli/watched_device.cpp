@@ -1,0 +1,58 @@
+// Preloaded by tests of batches: counts what a program asks the Vulkan loader for, and loses the device once.
+//   IMPORTON_TEST_LOST_AT N     the N-th submission finds the device lost, those after it do not
+//   IMPORTON_TEST_COUNTS FILE   at the end takes "DEVICES PIPELINES", the numbers of them that were made
+#include <dlfcn.h>
+#include <vulkan/vulkan.h>
+
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+
+namespace {
+
+struct Counts {
+  std::atomic<unsigned> submissions{0}, devices{0}, pipelines{0};
+  ~Counts() {
+    const char* const name = std::getenv("IMPORTON_TEST_COUNTS");
+    std::FILE* const file = name == nullptr ? nullptr : std::fopen(name, "w");
+    if (file == nullptr) return;
+    std::fprintf(file, "%u %u\n", devices.load(), pipelines.load());
+    std::fclose(file);
+  }
+};
+
+Counts counts;
+
+template <class Function>
+Function next(const char* name) {
+  return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
+}
+
+}  // namespace
+
+extern "C" {
+
+VKAPI_ATTR VkResult VKAPI_CALL vkQueueSubmit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* submits,
+                                             VkFence fence) {
+  static const auto real = next<PFN_vkQueueSubmit>("vkQueueSubmit");
+  const char* const lostAt = std::getenv("IMPORTON_TEST_LOST_AT");
+  if (++counts.submissions == (lostAt == nullptr ? 0 : std::strtoul(lostAt, nullptr, 10))) return VK_ERROR_DEVICE_LOST;
+  return real(queue, count, submits, fence);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL vkCreateDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
+                                              const VkAllocationCallbacks* allocator, VkDevice* device) {
+  static const auto real = next<PFN_vkCreateDevice>("vkCreateDevice");
+  ++counts.devices;
+  return real(physical, info, allocator, device);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL vkCreateComputePipelines(VkDevice device, VkPipelineCache cache, std::uint32_t count,
+                                                        const VkComputePipelineCreateInfo* infos,
+                                                        const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
+  static const auto real = next<PFN_vkCreateComputePipelines>("vkCreateComputePipelines");
+  counts.pipelines += count;
+  return real(device, cache, count, infos, allocator, pipelines);
+}
+
+}  // extern "C"
