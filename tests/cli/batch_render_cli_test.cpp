@@ -40,16 +40,19 @@ class CliBatchRender : public testing::Test {
   }
   [[nodiscard]] nlohmann::json summary() const { return nlohmann::json::parse(readFile(folder_ / "s.json")); }
   [[nodiscard]] bool isMade(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
-  /// Loses the device at a submission, 0: never; and counts.
-  [[nodiscard]] RunOptions watched(int lostAt = 0) const {
-    return {.environment = {{"LD_PRELOAD", IMPORTON_WATCHED_DEVICE},
-                            {"IMPORTON_TEST_LOST_AT", std::to_string(lostAt)},
-                            {"IMPORTON_TEST_COUNTS", folder_ / "counts"}}};
+  /// What watched_device.cpp counts.
+  struct Counts {
+    int devices = 0, pipelines = 0, submissions = 0;
+  };
+  /// With what watched_device.cpp does.
+  [[nodiscard]] RunOptions watched(std::map<std::string, std::string> faults = {}) const {
+    faults.insert({{"LD_PRELOAD", IMPORTON_WATCHED_DEVICE}, {"IMPORTON_TEST_COUNTS", folder_ / "counts"}});
+    return {.environment = faults};
   }
-  /// Devices and pipelines that the last watched run made.
-  [[nodiscard]] std::pair<int, int> counts() const {
-    std::pair<int, int> made;
-    std::istringstream(readFile(folder_ / "counts")) >> made.first >> made.second;
+  /// Of the last watched run.
+  [[nodiscard]] Counts counts() const {
+    Counts made;
+    std::istringstream(readFile(folder_ / "counts")) >> made.devices >> made.pipelines >> made.submissions;
     return made;
   }
 
@@ -167,16 +170,17 @@ TEST_F(CliBatchRender, SharesDeviceAndKernels) {
   std::vector<std::string> boxes;
   for (const char* name : {"a.gltf", "b.gltf", "c.gltf"}) boxes.push_back(copyBox(name));
   ASSERT_EQ(run({boxes[0], "-o", folder_ / "one.exr", "--passes", "1"}, watched()).status, 0);
-  const auto one = counts();
-  EXPECT_GT(one.second, 10);
+  const Counts one = counts();
+  EXPECT_GT(one.pipelines, 10);
   ASSERT_EQ(run({boxes[0], boxes[1], boxes[2], "-o", folder_ / "out", "--passes", "1"}, watched()).status, 0);
-  EXPECT_EQ(counts(), one);
+  EXPECT_EQ(counts().devices, 1);
+  EXPECT_EQ(counts().pipelines, one.pipelines);
+  EXPECT_EQ(counts().submissions, 3 * one.submissions);
   // Another scene shares those that its features do not change.
   ASSERT_EQ(run({kGlassBall, "-o", folder_ / "one.exr", "--passes", "1"}, watched()).status, 0);
-  const auto other = counts();
+  const Counts other = counts();
   ASSERT_EQ(run({boxes[0], kGlassBall, "-o", folder_ / "out", "--passes", "1"}, watched()).status, 0);
-  EXPECT_EQ(counts().first, 1);
-  EXPECT_LT(counts().second, one.second + other.second - 10);
+  EXPECT_LT(counts().pipelines, one.pipelines + other.pipelines - 10);
 }
 
 /// The second scene is gone when the first is seen to be rendered, but it was loaded by then; the third was not.
@@ -200,16 +204,26 @@ TEST_F(CliBatchRender, GoesOnWithAFreshDeviceWhereOneIsLost) {
   const std::vector<std::string> arguments{
       copyBox("a.gltf"), copyBox("b.gltf"),  copyBox("c.gltf"), "-o", folder_ / "out",
       "--stats",         folder_ / "s.json", "--passes",        "1"};
-  ASSERT_EQ(run({copyBox("a.gltf"), "-o", folder_ / "one.exr", "--passes", "1"}).status, 0);
-  const Outcome outcome = run(arguments, watched(12));
+  ASSERT_EQ(run({copyBox("a.gltf"), "-o", folder_ / "one.exr", "--passes", "1"}, watched()).status, 0);
+  const int inSecond = counts().submissions + 3;
+  const Outcome outcome = run(arguments, watched({{"IMPORTON_TEST_LOST_AT", std::to_string(inSecond)}}));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(counts().first, 2);
-  EXPECT_NE(outcome.err.find("importon: warning: "), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("the device was lost"), std::string::npos) << outcome.err;
+  EXPECT_EQ(counts().devices, 2);
+  EXPECT_NE(outcome.err.find("importon: warning: b.gltf: the device was lost"), std::string::npos) << outcome.err;
   EXPECT_EQ(summary()["pictures"], 3);
   const Image one = readExr(folder_ / "one.exr");
   for (const char* name : {"out/a.exr", "out/b.exr", "out/c.exr"})
     EXPECT_EQ(readExr(folder_ / name).find("G")->values, one.find("G")->values) << name;
+
+  std::filesystem::remove_all(folder_ / "out");
+  const Outcome never = run(arguments, watched({{"IMPORTON_TEST_LOST_FROM", std::to_string(inSecond)}}));
+  EXPECT_EQ(never.status, 3) << never.err;
+  EXPECT_EQ(counts().devices, 3);  // that of a and b, b's second, and c's only one
+  EXPECT_TRUE(isMade("out/a.exr"));
+  const nlohmann::json all = summary();
+  EXPECT_EQ(all["pictures"], 1);
+  EXPECT_EQ(all["jobs"][2]["status"], 3);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / "out"), {}), 1);
 }
 
 TEST_F(CliBatchRender, SkipsTheRestWhenInterrupted) {

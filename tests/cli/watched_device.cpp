@@ -1,6 +1,7 @@
 // Preloaded by tests of batches: counts what a program asks the Vulkan loader for, and loses the device once.
 //   IMPORTON_TEST_LOST_AT N     the N-th submission finds the device lost, those after it do not
-//   IMPORTON_TEST_COUNTS FILE   at the end takes "DEVICES PIPELINES", the numbers of them that were made
+//   IMPORTON_TEST_LOST_FROM N   those after it do too
+//   IMPORTON_TEST_COUNTS FILE   at the end takes "DEVICES PIPELINES SUBMISSIONS", how many there were
 #include <dlfcn.h>
 #include <vulkan/vulkan.h>
 
@@ -16,12 +17,18 @@ struct Counts {
     const char* const name = std::getenv("IMPORTON_TEST_COUNTS");
     std::FILE* const file = name == nullptr ? nullptr : std::fopen(name, "w");
     if (file == nullptr) return;
-    std::fprintf(file, "%u %u\n", devices.load(), pipelines.load());
+    std::fprintf(file, "%u %u %u\n", devices.load(), pipelines.load(), submissions.load());
     std::fclose(file);
   }
 };
 
 Counts counts;
+
+/// Of an environment variable; 0: it is not there.
+unsigned long number(const char* name) {
+  const char* const text = std::getenv(name);
+  return text == nullptr ? 0 : std::strtoul(text, nullptr, 10);
+}
 
 template <class Function>
 Function next(const char* name) {
@@ -35,8 +42,8 @@ extern "C" {
 VKAPI_ATTR VkResult VKAPI_CALL vkQueueSubmit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* submits,
                                              VkFence fence) {
   static const auto real = next<PFN_vkQueueSubmit>("vkQueueSubmit");
-  const char* const lostAt = std::getenv("IMPORTON_TEST_LOST_AT");
-  if (++counts.submissions == (lostAt == nullptr ? 0 : std::strtoul(lostAt, nullptr, 10))) return VK_ERROR_DEVICE_LOST;
+  const unsigned long at = ++counts.submissions, from = number("IMPORTON_TEST_LOST_FROM");
+  if (at == number("IMPORTON_TEST_LOST_AT") || (from > 0 && at >= from)) return VK_ERROR_DEVICE_LOST;
   return real(queue, count, submits, fence);
 }
 
