@@ -140,7 +140,9 @@ void Batch::renderJob(const RenderJob& job, const LoadedScene& loaded, std::shar
   try {
     camera = labelOf(loaded.scene, job);
     checkOutputs(job);
-    RenderOutcome outcome = tryTwice(job, loaded, std::move(tree), log);
+    RenderJob told = job;
+    if (!job.stats.empty()) told.commandLine = command_.commandLine;
+    RenderOutcome outcome = tryTwice(told, loaded, std::move(tree), log);
     BatchResult result{job, camera, outcome.status, "", secondsSince(jobStart_), std::move(outcome.stats), {}};
     if (result.stats) log.note(fmt::format("{} in {:.2f} s, {}", job.output.string(), result.seconds, place()));
     if (result.status == ExitStatus::output) result.error = "the checkpoint could not be written";

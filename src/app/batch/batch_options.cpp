@@ -29,10 +29,11 @@ void checkCommon(const RenderCommand& common) {
                        "give it in the lines of a --list");
 }
 
-/// What all jobs have: no scene and no files to write yet.
+/// What all jobs have: no scene and no files to write yet. The command line stands in the batch alone, as it may be long.
 RenderCommand sharedPart(const RenderCommand& common) {
   RenderCommand shared = common;
   shared.scenes.clear();
+  shared.job.commandLine.clear();
   for (fs::path* file : {&shared.job.scene, &shared.job.output, &shared.job.png, &shared.job.stats}) file->clear();
   return shared;
 }
