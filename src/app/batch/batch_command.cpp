@@ -71,6 +71,7 @@ class Batch {
   RenderOutcome tryTwice(const RenderJob& job, const LoadedScene& loaded, std::shared_ptr<const Bvh> tree, Log& log);
   void fail(const RenderJob& job, const std::string& camera, const std::exception& exception, Log& log);
   void skip(const RenderJob& job);
+  void record(BatchResult result);
   void tellOfEnd() const;
   [[nodiscard]] std::string place() const { return fmt::format("{}/{}", entry_, command_.entries.size()); }
 
@@ -95,7 +96,6 @@ ExitStatus Batch::run() {
     }
     const std::unique_ptr<SceneAhead> ahead = std::move(next_);
     runEntry(entry, *ahead);
-    jobStart_ = Clock::now();
   }
   if (!command_.summary.empty()) writeTextFile(command_.summary, summaryJson(command_, results_, secondsSince(start_)));
   tellOfEnd();
@@ -131,7 +131,6 @@ void Batch::renderAll(const BatchEntry& entry, PreparedScene& scene, Log& log) {
       skip(job);
     else
       renderJob(job, scene.loaded, isLast ? std::move(scene.tree) : scene.tree, log);
-    jobStart_ = Clock::now();
   }
 }
 
@@ -148,7 +147,7 @@ void Batch::renderJob(const RenderJob& job, const LoadedScene& loaded, std::shar
     if (result.status == ExitStatus::output) result.error = "the checkpoint could not be written";
     if (!result.stats) result.error = "interrupted before the first pass was done";
     result.warnings = log.warnings();
-    results_.push_back(std::move(result));
+    record(std::move(result));
   } catch (const std::exception& exception) {
     fail(job, camera, exception, log);
   }
@@ -187,11 +186,17 @@ void Batch::fail(const RenderJob& job, const std::string& camera, const std::exc
   const bool namesScene = failure.message.find(job.scene.string()) != std::string::npos;
   log.endProgress();
   log.error((namesScene ? "" : job.scene.filename().string() + ": ") + failure.message);
-  results_.push_back({job, camera, failure.status, failure.message, secondsSince(jobStart_), {}, log.warnings()});
+  record({job, camera, failure.status, failure.message, secondsSince(jobStart_), {}, log.warnings()});
 }
 
 void Batch::skip(const RenderJob& job) {
-  results_.push_back({job, job.camera, ExitStatus::interrupted, "not begun: interrupted", 0});
+  record({job, job.camera, ExitStatus::interrupted, "not begun: interrupted", 0});
+}
+
+/// The next job begins.
+void Batch::record(BatchResult result) {
+  results_.push_back(std::move(result));
+  jobStart_ = Clock::now();
 }
 
 void Batch::tellOfEnd() const {

@@ -29,7 +29,8 @@ void checkCommon(const RenderCommand& common) {
                        "give it in the lines of a --list");
 }
 
-/// What all jobs have: no scene and no files to write yet. The command line stands in the batch alone, as it may be long.
+/// What all jobs have: no scene and no files to write yet. The command line stands in the batch alone, as it may be
+/// long.
 RenderCommand sharedPart(const RenderCommand& common) {
   RenderCommand shared = common;
   shared.scenes.clear();
