@@ -232,9 +232,10 @@ TEST_F(CliBatchRender, SkipsTheRestWhenInterrupted) {
   const std::vector<std::string> arguments{copyBox("a.gltf"), copyBox("b.gltf"), copyBox("c.gltf"),  "-o",
                                            folder_ / "out",   "--stats",         folder_ / "s.json", "--passes",
                                            "1000000"};
-  const auto onErr = [isSent = false](const std::string& err) mutable {
+  const auto onErr = [this, isSent = false](const std::string& err) mutable {
     if (isSent || err.find("pass 1/") == std::string::npos) return 0;
     isSent = true;
+    std::filesystem::remove(folder_ / "c.gltf");  // is not read any more
     return SIGINT;
   };
   const Outcome outcome = run(arguments, {.hasTerminal = true, .onErr = onErr});
