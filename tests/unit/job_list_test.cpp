@@ -50,6 +50,12 @@ TEST(JobFiles, PutsTheCameraBeforeTheExtension) {
   nameOutputs(job, "out", "png", "");
   EXPECT_EQ(job.output, "out/a.b.exr");
   EXPECT_EQ(job.png, "png/a.b.png");
+  RenderJob named;
+  named.scene = "a.glb";
+  named.output = "large.exr";
+  nameOutputs(named, "out", "png", "top/left");
+  EXPECT_EQ(named.output, "large.exr");
+  EXPECT_EQ(named.png, "png/large.png");
   addCamera(job, "top");
   EXPECT_EQ(job.output, "out/a.b.top.exr");
   EXPECT_EQ(job.png, "png/a.b.top.png");

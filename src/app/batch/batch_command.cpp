@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folders are there, and the first picture of each can be written.
+/// The folders are there and can be written to. Throws OutputError.
 void prepareFolders(const BatchCommand& command) {
   for (const fs::path& folder : {command.folder, command.pngFolder}) {
     constexpr std::array kProbe{".importon-probe"};
@@ -47,6 +47,9 @@ std::string labelOf(const Scene& scene, const RenderJob& job) {
 
 /// The jobs of an entry of which the scene is there.
 std::vector<RenderJob> jobsOf(const BatchEntry& entry, const Scene& scene) {
+  constexpr std::size_t kMostCameras = 10'000;
+  if (entry.hasAllCameras && scene.cameras.size() > kMostCameras)
+    throw SceneError("the scene has more than 10,000 cameras", scene.file.string(), "choose some in a --list");
   std::vector<RenderJob> jobs;
   for (std::size_t i = 0; entry.hasAllCameras && i < scene.cameras.size(); ++i) {
     jobs.push_back(entry.render.job);
@@ -153,7 +156,7 @@ void Batch::renderJob(const RenderJob& job, const LoadedScene& loaded, std::shar
   }
 }
 
-/// Once more on a fresh device where the device fails, unless a fresh one has just failed.
+/// Once more on a fresh device where an open one fails, unless a fresh one has just failed.
 RenderOutcome Batch::tryTwice(const RenderJob& job, const LoadedScene& loaded, std::shared_ptr<const Bvh> tree,
                               Log& log) {
   const auto attempt = [&] {
@@ -167,8 +170,9 @@ RenderOutcome Batch::tryTwice(const RenderJob& job, const LoadedScene& loaded, s
   try {
     return attempt();
   } catch (const DeviceError& error) {
+    const bool wasOpen = device_.isOpen();
     device_.drop();
-    if (std::exchange(hasDoubtedDevice_, true)) throw;
+    if (!wasOpen || std::exchange(hasDoubtedDevice_, true)) throw;
     log.endProgress();
     log.warn("device failure", fmt::format("{}; now once more, with a fresh device", error.what()));
   }

@@ -82,7 +82,8 @@ BatchCommand makeBatchCommand(const RenderCommand& common) {
     addEntry(command, std::move(render), "");
   }
   if (!common.list.empty()) {
-    const fs::path ownFolder = fs::is_regular_file(common.list) ? common.list.parent_path() : fs::path();
+    std::error_code ignored;
+    const fs::path ownFolder = fs::is_regular_file(common.list, ignored) ? common.list.parent_path() : fs::path();
     const ListFolders folders{ownFolder, command.folder.empty() ? ownFolder : command.folder};
     for (const ListLine& line : readJobList(common.list)) addLine(command, shared, line, folders);
   }

@@ -26,7 +26,7 @@ fs::path withCamera(const fs::path& file, const std::string& camera) {
 /// The same for all names of a file.
 std::string placeOf(const fs::path& file) {
   std::error_code error;
-  const fs::path place = fs::weakly_canonical(fs::absolute(file), error);
+  const fs::path place = fs::weakly_canonical(fs::absolute(file, error), error);
   return error ? file.string() : place.string();
 }
 
@@ -79,7 +79,7 @@ class Places {
 void nameOutputs(RenderJob& job, const fs::path& folder, const fs::path& pngFolder, const std::string& camera) {
   const std::string stem = job.scene.stem().string() + (camera.empty() ? "" : "." + fileNameOf(camera));
   if (job.output.empty()) job.output = folder / (stem + ".exr");
-  if (job.png.empty() && !pngFolder.empty()) job.png = pngFolder / (stem + ".png");
+  if (job.png.empty() && !pngFolder.empty()) job.png = pngFolder / (job.output.stem().string() + ".png");
 }
 
 void addCamera(RenderJob& job, const std::string& camera) {

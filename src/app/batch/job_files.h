@@ -9,8 +9,8 @@
 
 namespace importon {
 
-/// Names the picture `folder`/STEM.exr, with the preview `pngFolder`/STEM.png unless that is empty; `camera`, if it is
-/// not empty, stands behind the stem: STEM.CAMERA.exr.
+/// Names the picture, if it has no name, `folder`/SCENE.exr, or `folder`/SCENE.CAMERA.exr if `camera` is not empty; and
+/// the preview as the picture, in `pngFolder` if that is not empty.
 void nameOutputs(RenderJob& job, const std::filesystem::path& folder, const std::filesystem::path& pngFolder,
                  const std::string& camera);
 

@@ -23,8 +23,9 @@ std::string readBounded(std::istream& stream, const std::string& name) {
 
 std::string readText(const std::filesystem::path& file) {
   if (file == "-") return readBounded(std::cin, "standard input");
+  std::error_code ignored;
   std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file))
+  if (!stream || std::filesystem::is_directory(file, ignored))
     throw UsageError("the list cannot be read", file.string(), "give a text file with a scene in each line");
   return readBounded(stream, file.string());
 }

@@ -39,6 +39,8 @@ class SharedDevice {
  public:
   /// As loadDevice; opens a device for the first render, and for one that asks for another device than the last.
   [[nodiscard]] std::shared_ptr<LoadedDevice> load(const FeatureSet& features, const RenderJob& job);
+  /// False where the last device could not be opened.
+  [[nodiscard]] bool isOpen() const { return open_ != nullptr; }
   /// The next render opens a device anew.
   void drop() { open_.reset(); }
 
