@@ -41,25 +41,25 @@ extern "C" {
 
 VKAPI_ATTR VkResult VKAPI_CALL vkQueueSubmit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* submits,
                                              VkFence fence) {
-  static const auto real = next<PFN_vkQueueSubmit>("vkQueueSubmit");
+  static const auto kReal = next<PFN_vkQueueSubmit>("vkQueueSubmit");
   const unsigned long at = ++counts.submissions, from = number("IMPORTON_TEST_LOST_FROM");
   if (at == number("IMPORTON_TEST_LOST_AT") || (from > 0 && at >= from)) return VK_ERROR_DEVICE_LOST;
-  return real(queue, count, submits, fence);
+  return kReal(queue, count, submits, fence);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL vkCreateDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
                                               const VkAllocationCallbacks* allocator, VkDevice* device) {
-  static const auto real = next<PFN_vkCreateDevice>("vkCreateDevice");
+  static const auto kReal = next<PFN_vkCreateDevice>("vkCreateDevice");
   ++counts.devices;
-  return real(physical, info, allocator, device);
+  return kReal(physical, info, allocator, device);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL vkCreateComputePipelines(VkDevice device, VkPipelineCache cache, std::uint32_t count,
                                                         const VkComputePipelineCreateInfo* infos,
                                                         const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
-  static const auto real = next<PFN_vkCreateComputePipelines>("vkCreateComputePipelines");
+  static const auto kReal = next<PFN_vkCreateComputePipelines>("vkCreateComputePipelines");
   counts.pipelines += count;
-  return real(device, cache, count, infos, allocator, pipelines);
+  return kReal(device, cache, count, infos, allocator, pipelines);
 }
 
 }  // extern "C"
