@@ -2,7 +2,6 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -13,9 +12,9 @@
 namespace {
 
 /// Prints the one line of an error and gives its exit status.
-int report(const char* message, importon::ExitStatus status) {
-  std::fprintf(stderr, "importon: error: %s\n", message);
-  return static_cast<int>(status);
+int report(const importon::Failure& failure) {
+  std::fprintf(stderr, "importon: error: %s\n", failure.message.c_str());
+  return static_cast<int>(failure.status);
 }
 
 }  // namespace
@@ -25,12 +24,7 @@ int main(int count, char** words) {
   try {
     const std::vector<std::string> arguments(words + (count > 0 ? 1 : 0), words + count);
     return static_cast<int>(importon::runCommand(importon::parseCommandLine(arguments), start));
-  } catch (const importon::Error& error) {
-    return report(error.what(), error.status());
-  } catch (const std::bad_alloc&) {
-    return report("out of memory: choose a smaller image or scene", importon::ExitStatus::device);
-  } catch (const std::exception& error) {
-    return report((std::string("this is a bug (") + error.what() + "): please report it").c_str(),
-                  importon::ExitStatus::device);
+  } catch (const std::exception& exception) {
+    return report(importon::failureOf(exception));
   }
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "CLI/CLI.hpp"
+#include "app/batch/batch_options.h"
 #include "app/converge_options.h"
 #include "app/render_options.h"
 #include "app/study_options.h"
@@ -140,6 +141,7 @@ void Parser::addMerge() {
 Command Parser::chosen() {
   if (renderApp->parsed()) {
     finishRenderCommand(*renderApp, render);
+    if (isBatch(render)) return makeBatchCommand(render);
     return render;
   }
   if (infoApp->parsed()) return info;
@@ -161,6 +163,13 @@ std::vector<std::string> withCommand(std::span<const std::string> arguments) {
   return words;
 }
 
+/// A list may name scenes and outputs alone.
+void needLessForList(CLI::App& renderApp, std::span<const std::string> words) {
+  const auto isList = [](const std::string& word) { return word == "--list" || word.starts_with("--list="); };
+  if (std::ranges::none_of(words, isList)) return;
+  for (const char* name : {"SCENE", "--output"}) renderApp.get_option(name)->required(false);
+}
+
 /// One blank line where CLI11 puts two.
 std::string withoutDoubleBlanks(std::string text) {
   for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != std::string::npos;) text.erase(at, 1);
@@ -175,6 +184,7 @@ Command parseCommandLine(std::span<const std::string> arguments) {
   std::vector<std::string> words = withCommand(arguments);
   const std::string seeHelp = "see importon " + (words.front().starts_with('-') ? "" : words.front() + " ") + "--help";
   parser.render.job.commandLine.assign(arguments.begin(), arguments.end());
+  needLessForList(*parser.renderApp, words);
   std::reverse(words.begin(), words.end());  // CLI11 takes them from the end
   try {
     parser.app.parse(words);

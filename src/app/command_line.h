@@ -14,8 +14,25 @@ namespace importon {
 
 struct RenderCommand {
   RenderJob job;
-  bool isTalk = false;                     // --talk; its settings stand in the job
-  std::vector<std::string> photonOptions;  // names of the given options that mean nothing to the path tracer
+  std::vector<std::filesystem::path> scenes;  // as given; of one, the job's
+  std::filesystem::path list;                 // of further jobs; empty: none
+  std::vector<std::string> given;             // long names of the options of the table that were given
+  bool isTalk = false;                        // --talk; its settings stand in the job
+  std::vector<std::string> photonOptions;     // names of the given options that mean nothing to the path tracer
+  Log::Verbosity verbosity = Log::Verbosity::normal;
+};
+
+/// A picture, or with --camera all one for each camera of the scene, whose name goes into those of the files.
+struct BatchEntry {
+  RenderCommand render;
+  bool hasAllCameras = false;
+};
+
+struct BatchCommand {
+  std::vector<BatchEntry> entries;
+  std::filesystem::path folder, pngFolder;  // are made; empty: none
+  std::filesystem::path summary;            // empty: none
+  std::vector<std::string> commandLine;
   Log::Verbosity verbosity = Log::Verbosity::normal;
 };
 
@@ -66,8 +83,8 @@ struct TextCommand {
   std::string text;
 };
 
-using Command = std::variant<RenderCommand, InfoCommand, CompareCommand, ConvergeCommand, StudyCommand, MergeCommand,
-                             DevicesCommand, TextCommand>;
+using Command = std::variant<RenderCommand, BatchCommand, InfoCommand, CompareCommand, ConvergeCommand, StudyCommand,
+                             MergeCommand, DevicesCommand, TextCommand>;
 
 /// Reads the arguments after the program's name. `importon SCENE ...` is short for `importon render SCENE ...`.
 /// Throws UsageError on anything unknown, out of range or contradictory.

@@ -13,6 +13,12 @@ namespace importon {
 [[nodiscard]] ExitStatus runRender(const RenderCommand& command, const std::atomic<bool>& isInterrupted,
                                    std::chrono::steady_clock::time_point start);
 
+/// Renders one job after another on one device, and loads the next scene meanwhile. A job that fails says so, and the
+/// others go on; the numerically highest exit status is that of the batch. Throws OutputError where a folder or the
+/// summary cannot be written.
+[[nodiscard]] ExitStatus runBatch(const BatchCommand& command, const std::atomic<bool>& isInterrupted,
+                                  std::chrono::steady_clock::time_point start);
+
 /// Prints to stdout. Throws SceneError.
 [[nodiscard]] ExitStatus runInfo(const InfoCommand& command);
 

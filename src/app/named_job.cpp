@@ -18,7 +18,7 @@ std::vector<std::string> wordsOf(const std::string& text) {
 
 NamedJob makeNamedJob(const std::string& name, const std::string& options, const std::filesystem::path& scene,
                       const std::vector<std::string>& common) {
-  std::vector<std::string> words{"render", scene.string(), "-o", "unused.exr"};
+  std::vector<std::string> words{"render", scene.string(), "-o", "unused"};
   words.insert(words.end(), common.begin(), common.end());
   const std::vector<std::string> own = wordsOf(options);
   words.insert(words.end(), own.begin(), own.end());
@@ -26,8 +26,8 @@ NamedJob makeNamedJob(const std::string& name, const std::string& options, const
     const auto render = std::get<RenderCommand>(parseCommandLine(words));
     return {name, options, render.job};
   } catch (const std::bad_variant_access&) {
-    throw UsageError(fmt::format("configuration {} does not render", name), "command line",
-                     "give options of importon render");
+    throw UsageError(fmt::format("configuration {} does not render one picture", name), "command line",
+                     "give options of importon render, for one scene and camera");
   } catch (const UsageError& error) {
     throw UsageError(fmt::format("configuration {}: {}", name, error.what()), "", "see importon render --help");
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "app/batch/batch_options.h"
 #include "base/error.h"
 #include "fmt/format.h"
 #include "render/options/gather_source.h"
@@ -91,9 +92,9 @@ void checkFiles(const RenderJob& job) {
   }
 }
 
-void checkNeeds(const CLI::App& app, const RenderJob& job) {
+void checkNeeds(const RenderCommand& command) {
   for (const OptionRow& row : optionTable())
-    if (row.need.isMet != nullptr && app.count(row.name()) > 0 && !row.need.isMet(job))
+    if (row.need.isMet != nullptr && std::ranges::count(command.given, row.name()) > 0 && !row.need.isMet(command.job))
       throw UsageError(fmt::format("{} needs {}", row.name(), row.need.what), "command line", row.need.advice);
 }
 
@@ -104,7 +105,7 @@ void applyTalk(const CLI::App& app, RenderJob& job) {
 }
 
 bool isEveryday(const CLI::Option& option) {
-  constexpr std::array kOwn{"SCENE", "--help", "--help-all", "--quiet", "--verbose"};
+  constexpr std::array kOwn{"SCENE", "--list", "--help", "--help-all", "--quiet", "--verbose"};
   const std::string name = option.get_name(),
                     bare = option.get_lnames().empty() ? name : "--" + option.get_lnames().front();
   if (std::ranges::find(kOwn, bare) != kOwn.end()) return true;
@@ -119,7 +120,14 @@ void addSceneOptions(CLI::App& app, RenderJob& job) {
 }
 
 void addRenderOptions(CLI::App& app, RenderCommand& command) {
-  app.add_option("SCENE", command.job.scene, "the scene, .gltf or .glb")->required()->check(notEmpty())->type_name("");
+  app.add_option("SCENE", command.scenes, "the scene, .gltf or .glb; several: -o and --png name folders")
+      ->required()
+      ->check(notEmpty())
+      ->type_name("");
+  app.add_option("--list", command.list, "text file that names a further scene, with its options, in each line")
+      ->check(notEmpty())
+      ->type_name("FILE")
+      ->group(headingAsText(OptionGroup::output));
   for (const OptionRow& row : optionTable()) addRow(app, row, command.job, headingAsText(row.group));
   app.add_flag("--talk", command.isTalk, "all settings of the talk and its author's program, where no\nother is given")
       ->group(headingAsText(OptionGroup::talk));
@@ -127,11 +135,40 @@ void addRenderOptions(CLI::App& app, RenderCommand& command) {
 }
 
 void finishRenderCommand(const CLI::App& app, RenderCommand& command) {
-  if (command.isTalk) applyTalk(app, command.job);
-  command.photonOptions = givenPhotonOptions(app);
-  checkFiles(command.job);
+  if (command.scenes.size() == 1) command.job.scene = command.scenes.front();
+  if (app.count("--talk") > 0) applyTalk(app, command.job);
+  for (const std::string& name : givenPhotonOptions(app)) command.photonOptions.push_back(name);
+  for (const OptionRow& row : optionTable())
+    if (app.count(row.name()) > 0) command.given.push_back(row.name());
+  if (!isBatch(command)) checkFiles(command.job);  // the files of a batch: checkJobFiles
   checkGatherSource(command);
-  checkNeeds(app, command.job);
+  checkNeeds(command);
+}
+
+void parseListLine(std::vector<std::string> words, RenderCommand& command, const ListFolders& folders) {
+  CLI::App app;
+  app.set_help_flag();
+  addRenderOptions(app, command);
+  app.get_option("--output")->required(false);
+  for (const char* name : {"--list", "--quiet", "--verbose"}) app.remove_option(app.get_option(name));
+  std::ranges::reverse(words);  // CLI11 takes them from the end
+  try {
+    app.parse(words);
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what(), "", "");
+  }
+  if (command.scenes.size() > 1) throw UsageError("a line has one scene", "", "");
+  using Place = std::pair<const char*, std::filesystem::path RenderJob::*>;
+  using J = RenderJob;
+  const auto place = [&](const std::filesystem::path& folder, std::initializer_list<Place> names) {
+    for (const auto& [name, member] : names)
+      if (app.count(name) > 0) command.job.*member = folder / command.job.*member;
+  };
+  place(folders.inputs, {{"--environment", &J::environment}, {"--reference", &J::reference}, {"--resume", &J::resume}});
+  place(folders.outputs,
+        {{"--output", &J::output}, {"--png", &J::png}, {"--stats", &J::stats}, {"--checkpoint", &J::checkpoint}});
+  command.scenes.front() = folders.inputs / command.scenes.front();
+  finishRenderCommand(app, command);
 }
 
 void hideRareOptions(CLI::App& app) {

@@ -14,6 +14,7 @@ namespace {
 struct Runner {
   std::chrono::steady_clock::time_point start;
   ExitStatus operator()(const RenderCommand& command) const { return runRender(command, watchForInterrupt(), start); }
+  ExitStatus operator()(const BatchCommand& command) const { return runBatch(command, watchForInterrupt(), start); }
   ExitStatus operator()(const InfoCommand& command) const { return runInfo(command); }
   ExitStatus operator()(const CompareCommand& command) const { return runCompare(command); }
   ExitStatus operator()(const ConvergeCommand& command) const { return runConverge(command, watchForInterrupt()); }

@@ -108,16 +108,19 @@ constexpr StatRow kRows[] = {{"/device/name", of<&S::deviceName>},
 
 }  // namespace
 
-std::string statsJson(const RenderJob& job, const RenderStats& stats, std::span<const Warning> warnings) {
-  Json root{{"version", IMPORTON_VERSION},
-            {"command", job.commandLine},
-            {"seed", job.seed},
-            {"device", {}},
-            {"scene", {{"file", job.scene.string()}}}};
+Json statsTree(const RenderJob& job, const RenderStats& stats, std::span<const Warning> warnings) {
+  Json root{{"seed", job.seed}, {"device", {}}, {"scene", {{"file", job.scene.string()}}}};
   for (const StatRow& row : kRows) root[Json::json_pointer(row.place)] = row.read(stats);
   root["warnings"] = warningsJson(warnings);
-  // A file name need not be UTF-8, JSON must be.
-  return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return root;
 }
+
+std::string statsJson(const RenderJob& job, const RenderStats& stats, std::span<const Warning> warnings) {
+  Json root{{"version", IMPORTON_VERSION}, {"command", job.commandLine}};
+  root.update(statsTree(job, stats, warnings));
+  return jsonText(root);
+}
+
+std::string jsonText(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 }  // namespace importon

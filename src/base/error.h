@@ -41,4 +41,13 @@ struct OutputError : Error {
       : Error(ExitStatus::output, what, where, remedy) {}
 };
 
+/// What an exception leads to: its line without "importon: error: ", and its exit status.
+struct Failure {
+  ExitStatus status = ExitStatus::ok;
+  std::string message;
+};
+
+/// Of an Error, of memory that is not there, or of a bug.
+[[nodiscard]] Failure failureOf(const std::exception& exception);
+
 }  // namespace importon

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <utility>
 
 #include "fmt/format.h"
 
@@ -19,7 +20,8 @@ void writeToStderr(std::string_view text) {
 
 }  // namespace
 
-Log::Log(Verbosity verbosity) : verbosity_(verbosity), isTerminal_(isatty(STDERR_FILENO) == 1) {}
+Log::Log(Verbosity verbosity, const std::string& subject)
+    : verbosity_(verbosity), subject_(subject.empty() ? "" : subject + ": "), isTerminal_(isatty(STDERR_FILENO) == 1) {}
 
 Log::~Log() {
   endProgress();
@@ -51,6 +53,24 @@ void Log::detail(std::string_view message) {
   if (verbosity_ == Verbosity::verbose) print("importon: ", message);
 }
 
+void Log::error(std::string_view message) {
+  const std::lock_guard lock(mutex_);
+  const std::string subject = std::exchange(subject_, "");
+  print("importon: error: ", message);
+  subject_ = subject;
+}
+
+void Log::hold() {
+  const std::lock_guard lock(mutex_);
+  isHeld_ = true;
+}
+
+void Log::release() {
+  const std::lock_guard lock(mutex_);
+  isHeld_ = false;
+  if (!held_.empty()) writeToStderr(std::exchange(held_, ""));
+}
+
 void Log::progress(std::string_view line) {
   const std::lock_guard lock(mutex_);
   if (!isTerminal_ || verbosity_ == Verbosity::quiet) return;
@@ -78,7 +98,11 @@ std::vector<Warning> Log::warnings() const {
 void Log::print(std::string_view prefix, std::string_view message) {
   std::string text;
   if (hasProgressLine_) text += kEraseLine;
-  text.append(prefix).append(message).append("\n");
+  text.append(prefix).append(subject_).append(message).append("\n");
+  if (isHeld_) {
+    held_ += text;
+    return;
+  }
   if (hasProgressLine_) text += progressLine_;
   writeToStderr(text);
 }

@@ -20,7 +20,8 @@ class Log {
  public:
   /// quiet: warnings only; normal: notes and progress too; verbose: details too.
   enum class Verbosity { quiet, normal, verbose };
-  explicit Log(Verbosity verbosity = Verbosity::normal);
+  /// `subject`, where it is not empty, stands before each message: "SUBJECT: ".
+  explicit Log(Verbosity verbosity = Verbosity::normal, const std::string& subject = "");
   ~Log();
   Log(const Log&) = delete;
   Log& operator=(const Log&) = delete;
@@ -28,6 +29,10 @@ class Log {
   void warn(std::string_view kind, std::string_view message);
   void note(std::string_view message);    // normal and verbose
   void detail(std::string_view message);  // verbose only
+  void error(std::string_view message);   // always, without the subject; no exception is thrown
+  /// Keeps all messages back until release(): what is done ahead speaks when its turn comes.
+  void hold();
+  void release();
   /// Rewrites the progress line; shows nothing unless stderr is a terminal.
   void progress(std::string_view line);
   void endProgress();
@@ -37,6 +42,9 @@ class Log {
   void print(std::string_view prefix, std::string_view message);
   mutable std::mutex mutex_;
   Verbosity verbosity_;
+  std::string subject_;  // with ": " behind it
+  bool isHeld_ = false;
+  std::string held_;
   bool isTerminal_ = false;
   bool hasProgressLine_ = false;
   std::string progressLine_;

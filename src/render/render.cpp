@@ -39,8 +39,8 @@ RenderProgress describeProgress(const Renderer& renderer, const StopRule& rule, 
 
 RenderResult render(const RenderJob& job, const Scene& scene, Log& log, const std::atomic<bool>& isInterrupted,
                     const std::function<void(const RenderProgress&)>& progress, Clock::time_point start,
-                    const DeviceSource& deviceSource) {
-  Renderer renderer(job, scene, log, deviceSource);
+                    const RenderSources& sources) {
+  Renderer renderer(job, scene, log, sources);
   Checkpointer checkpointer(job, renderer.fingerprint(), log);
   renderer.prepare();
   const int maxPasses = renderer.context().plan.maxPasses;

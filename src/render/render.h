@@ -6,7 +6,7 @@
 
 #include "base/log.h"
 #include "io/image.h"
-#include "render/device/loaded_device.h"
+#include "render/device/pass_context.h"
 #include "render/render_stats.h"
 
 namespace importon {
@@ -29,11 +29,10 @@ struct RenderResult {
 
 /// Renders until the job's limits are reached or `isInterrupted` turns true (asked between passes); then returns
 /// the image so far. `start` is when the process started: the job's seconds count from there, without those spent in
-/// `progress`. `deviceSource` gives it a device with kernels. Throws DeviceError.
+/// `progress`. `sources` give it a device with kernels, and a tree. Throws DeviceError.
 [[nodiscard]] RenderResult render(const RenderJob& job, const Scene& scene, Log& log,
                                   const std::atomic<bool>& isInterrupted,
                                   const std::function<void(const RenderProgress&)>& progress,
-                                  std::chrono::steady_clock::time_point start,
-                                  const DeviceSource& deviceSource = loadDevice);
+                                  std::chrono::steady_clock::time_point start, const RenderSources& sources = {});
 
 }  // namespace importon

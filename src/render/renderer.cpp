@@ -23,8 +23,8 @@ Image imageOf(const FilmLayers& layers, const PassContext& context) {
 
 }  // namespace
 
-Renderer::Renderer(const RenderJob& job, const Scene& scene, Log& log, const DeviceSource& deviceSource)
-    : context_(job, scene, log, stats_, deviceSource),
+Renderer::Renderer(const RenderJob& job, const Scene& scene, Log& log, const RenderSources& sources)
+    : context_(job, scene, log, stats_, sources),
       caustic_(context_, MapKind::caustic),
       global_(context_, MapKind::global),
       cache_(context_),

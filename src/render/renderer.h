@@ -9,7 +9,7 @@ namespace importon {
 /// The method: importance and required density for each map, guides, passes, image. Job, scene and log must last.
 class Renderer {
  public:
-  Renderer(const RenderJob& job, const Scene& scene, Log& log, const DeviceSource& deviceSource = loadDevice);
+  Renderer(const RenderJob& job, const Scene& scene, Log& log, const RenderSources& sources = {});
 
   /// Importance, required density and guides, before the first pass.
   void prepare();

@@ -93,7 +93,7 @@ Rendered renderScene(const RenderJob& job, const Scene& scene) {
   const std::atomic<bool> isInterrupted = false;
   RenderResult result = render(
       job, scene, log, isInterrupted, [](const RenderProgress&) {}, std::chrono::steady_clock::now(),
-      [](const FeatureSet& features, const RenderJob& theJob) { return devices().find(features, theJob); });
+      {.device = [](const FeatureSet& features, const RenderJob& theJob) { return devices().find(features, theJob); }});
   return {std::move(result.image), std::move(result.stats), log.warnings()};
 }
 

@@ -256,7 +256,8 @@ TEST(CommandLine, NamesWhatIsMissing) {
 
 TEST(CommandLine, RefusesWhatItDoesNotKnow) {
   EXPECT_NE(refusal("s.gltf -o o.exr --bogus").find("--bogus"), std::string::npos);
-  EXPECT_NE(refusal("s.gltf t.gltf -o o.exr").find("t.gltf"), std::string::npos);
+  EXPECT_NE(refusal("info s.gltf t.gltf").find("t.gltf"), std::string::npos);
+  EXPECT_NE(refusal("study s.gltf t.gltf -o out").find("one picture"), std::string::npos);
   EXPECT_NE(refusal("devices all").find("all"), std::string::npos);
 }
 

@@ -47,6 +47,37 @@ TEST(Log, SaysWhatItsVerbosityAllows) {
   EXPECT_EQ(said(Log::Verbosity::verbose), "importon: warning: warning\nimporton: note\nimporton: detail\n");
 }
 
+TEST(Log, NamesItsSubjectButNotInErrors) {
+  CaptureStderr();
+  {
+    Log log(Log::Verbosity::quiet, "chair.glb");
+    log.warn("k", "warning");
+    log.warn("k", "warning");
+    log.error("error");
+  }
+  EXPECT_EQ(GetCapturedStderr(),
+            "importon: warning: chair.glb: warning\nimporton: error: error\n"
+            "importon: warning: chair.glb: 1 more like \"warning\"\n");
+}
+
+TEST(Log, HoldsBackWhatIsSaidAhead) {
+  CaptureStderr();
+  {
+    Log never;
+    never.hold();
+    never.warn("k", "never");
+    Log log;
+    log.hold();
+    log.warn("k", "first");
+    EXPECT_EQ(log.warnings().size(), 1u);
+    log.note("second");
+    std::fputs("before\n", stderr);
+    log.release();
+    log.note("third");
+  }
+  EXPECT_EQ(GetCapturedStderr(), "before\nimporton: warning: first\nimporton: second\nimporton: third\n");
+}
+
 TEST(Log, ShowsNoProgressWhereThereIsNoTerminal) {
   CaptureStderr();
   {

@@ -100,14 +100,14 @@ const gpu::Kernel& KernelSet::find(std::string_view label, const gpu::KernelCode
                                    std::optional<gpu::Specialization> own) {
   const std::scoped_lock lock(mutex_);
   const Key key = own ? Key(&code, own->id, own->value) : Key(&code, kNone, 0);
-  const auto found = made_.find(key);
-  if (found != made_.end()) return found->second;
+  const auto found = found_.find(key);
+  if (found != found_.end()) return *found->second;
   std::vector<gpu::Specialization> constants = constants_;
   if (own) {
     std::erase_if(constants, [&](const gpu::Specialization& s) { return s.id == own->id; });
     constants.push_back(*own);
   }
-  return made_.try_emplace(key, context_, std::string(label), code, constants).first->second;
+  return *found_.emplace(key, &cache_->find(label, code, constants)).first->second;
 }
 
 std::vector<gpu::Specialization> constantsOf(const FeatureSet& features, const RenderJob& job, bool isCpu) {

@@ -1,23 +1,27 @@
 /// The kernels of a render, specialised by what scene and job need.
 #pragma once
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
 
-#include "gpu/kernel.h"
+#include "gpu/kernel_cache.h"
 #include "render/features/feature_set.h"
 
 namespace importon {
 
-/// Each kernel is made when it is first asked for. From any thread.
+/// Each kernel is taken from the cache, which makes it when it is first asked for. From any thread.
 class KernelSet {
  public:
   /// Specialised by `constants`. With `hasAlpha` rays pass the holes of materials.
+  KernelSet(std::shared_ptr<gpu::KernelCache> cache, std::vector<gpu::Specialization> constants, bool hasAlpha)
+      : cache_(std::move(cache)), constants_(std::move(constants)), hasAlpha_(hasAlpha) {}
+  /// With a cache of its own.
   KernelSet(gpu::Context& context, std::vector<gpu::Specialization> constants, bool hasAlpha)
-      : context_(context), constants_(std::move(constants)), hasAlpha_(hasAlpha) {}
+      : KernelSet(std::make_shared<gpu::KernelCache>(context), std::move(constants), hasAlpha) {}
 
   /// The kernel that `Call` calls: of <kernels/...>, or of kernel_variants.h. Throws DeviceError.
   template <class Call>
@@ -34,11 +38,11 @@ class KernelSet {
   using Key = std::tuple<const gpu::KernelCode*, std::uint32_t, std::uint32_t>;
   const gpu::Kernel& find(std::string_view label, const gpu::KernelCode& code, std::optional<gpu::Specialization> own);
 
-  gpu::Context& context_;
+  std::shared_ptr<gpu::KernelCache> cache_;
   std::vector<gpu::Specialization> constants_;
   bool hasAlpha_;
   std::mutex mutex_;  // of the next
-  std::map<Key, gpu::Kernel> made_;
+  std::map<Key, const gpu::Kernel*> found_;
 };
 
 /// The constants of all kernels of a render; two renders with the same can share kernels.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <future>
 
-#include "accel/bvh.h"
 #include "base/clock.h"
 #include "render/device_scene/instances.h"
 #include "render/device_scene/media.h"
@@ -17,12 +16,12 @@ namespace {
 uvec2 wordsOf(std::uint64_t n) { return {static_cast<uint>(n), static_cast<uint>(n >> 32)}; }
 
 /// Builds the BVH; a progress line when it takes long.
-Bvh buildSceneBvh(const Scene& scene, const RenderJob& job, Log& log, double& seconds) {
+std::shared_ptr<const Bvh> buildSceneBvh(const Scene& scene, const RenderJob& job, Log& log, double& seconds) {
   const Clock::time_point start = Clock::now();
   const auto progress = [&](double fraction) {
     if (secondsSince(start) > 1) log.progress(fmt::format("building the BVH: {:.0f} %", 100 * fraction));
   };
-  Bvh bvh = buildSceneTree(scene, {job.threads, progress});
+  auto bvh = std::make_shared<const Bvh>(buildSceneTree(scene, {job.threads, progress}));
   log.endProgress();
   seconds = secondsSince(start);
   return bvh;
@@ -46,27 +45,27 @@ struct PassContext::Loaded {
 };
 
 PassContext::Loaded PassContext::load(const RenderJob& j, const Scene& s, Log& l, PhaseSeconds& seconds,
-                                      const DeviceSource& source) {
+                                      const RenderSources& sources) {
   Loaded loaded;
   loaded.size = chooseSize(chooseCamera(s, j), j);
   loaded.features = findFeatures(s, j);
   // The device and its kernels come up while the tree is built.
   auto loading = std::async(std::launch::async, [&] {
     const Clock::time_point start = Clock::now();
-    loaded.device = source(loaded.features, j);
+    loaded.device = sources.device(loaded.features, j);
     seconds.device = secondsSince(start);
   });
-  const Bvh bvh = buildSceneBvh(s, j, l, seconds.bvh);
+  const std::shared_ptr<const Bvh> bvh = sources.tree ? sources.tree() : buildSceneBvh(s, j, l, seconds.bvh);
   loading.get();
   const Clock::time_point start = Clock::now();
-  loaded.scene = uploadScene(loaded.device->context, s, bvh);
+  loaded.scene = uploadScene(loaded.device->context, s, *bvh);
   warnOfMedia(s.materials, l);
   seconds.device += secondsSince(start);
   return loaded;
 }
 
-PassContext::PassContext(const RenderJob& j, const Scene& s, Log& l, RenderStats& st, const DeviceSource& source)
-    : PassContext(j, s, l, st, load(j, s, l, st.seconds, source)) {}
+PassContext::PassContext(const RenderJob& j, const Scene& s, Log& l, RenderStats& st, const RenderSources& sources)
+    : PassContext(j, s, l, st, load(j, s, l, st.seconds, sources)) {}
 
 PassContext::PassContext(const RenderJob& j, const Scene& s, Log& l, RenderStats& st, Loaded loaded)
     : job(j),

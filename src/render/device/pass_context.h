@@ -1,5 +1,6 @@
 /// What the owners of a render share: the device with its buffers, and the pass at hand.
 #pragma once
+#include "accel/bvh.h"
 #include "base/log.h"
 #include "render/device/loaded_device.h"
 #include "render/device/workspace.h"
@@ -10,10 +11,16 @@
 
 namespace importon {
 
+/// Where a render gets what can be there before it begins.
+struct RenderSources {
+  DeviceSource device = loadDevice;
+  std::function<std::shared_ptr<const Bvh>()> tree = {};  // over the scene; empty: it is built
+};
+
 struct PassContext {
   /// Loads the device and uploads the scene. Job, scene, log and stats must last as long. Throws DeviceError,
   /// SceneError.
-  PassContext(const RenderJob& job, const Scene& scene, Log& log, RenderStats& stats, const DeviceSource& source);
+  PassContext(const RenderJob& job, const Scene& scene, Log& log, RenderStats& stats, const RenderSources& sources);
   PassContext(const PassContext&) = delete;
   PassContext& operator=(const PassContext&) = delete;
 
@@ -53,7 +60,7 @@ struct PassContext {
   struct Loaded;
   PassContext(const RenderJob& job, const Scene& scene, Log& log, RenderStats& stats, Loaded loaded);
   static Loaded load(const RenderJob& job, const Scene& scene, Log& log, PhaseSeconds& seconds,
-                     const DeviceSource& source);
+                     const RenderSources& sources);
 };
 
 }  // namespace importon

@@ -72,7 +72,7 @@ std::vector<OptionRow> imageOptions() {
       number(Group::image, "--height", "PIXELS", &RenderJob::height, pixels,
              "height of the image (default: by the camera's aspect ratio)")
           .everyday(),
-      name("--camera", "which camera, by its name, its node's or index (default: the first)", &RenderJob::camera)
+      name("--camera", "camera by its name, its node's or index, or all (default: the first)", &RenderJob::camera)
           .everyday(),
       name("--scene", "which scene of the file, by name or index (default: the file's\nchoice)", &RenderJob::sceneName),
       name("--variant", "which variant of the materials, by name or index (default: none)", &RenderJob::variant),

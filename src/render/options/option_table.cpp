@@ -272,7 +272,7 @@ Rows lookupOptions() {
 Rows runOptions() {
   return {
       text(Group::pausing, "--checkpoint", "F", &RenderJob::checkpoint,
-           "write the state every minute and at the end, Ctrl-C\nincluded (default: none)")
+           "write the state every minute and at the end (default: none)")
           .everyday(),
       text(Group::pausing, "--resume", "F", &RenderJob::resume,
            "go on from a checkpoint of this job, to the same image\nas a run never stopped (default: none)")
