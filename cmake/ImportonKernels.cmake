@@ -1,8 +1,8 @@
 # importon_add_kernels(TARGET NAMESPACE SOURCES FILES...)
 #
-# Compiles compute shaders to SPIR-V, optimises and validates them (src/gpu/optimise_module.cpp), and embeds them in
+# Compiles compute shaders to SPIR-V, optimises and validates them (src/gpu/modules/optimise_module.cpp), and embeds them in
 # the static library TARGET with a typed call for each: NAME.comp is called by importon::NAMESPACE::Name of
-# <NAMESPACE/name.h> (src/gpu/describe_kernels.cpp). <NAMESPACE/registry.h> has all by name.
+# <NAMESPACE/name.h> (src/gpu/modules/describe_kernels.cpp). <NAMESPACE/registry.h> has all by name.
 # Buffers need no binding: glslang numbers those that have none.
 # Includes are found from the shaders folder. glslangValidator writes a dependency file per shader, so an edit
 # rebuilds what includes the edited file and nothing else. What the optimiser made is kept in IMPORTON_KERNEL_CACHE, so

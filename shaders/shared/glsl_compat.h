@@ -1,6 +1,6 @@
 // Lets one header be read by C++ and by GLSL: GLSL vector types become GLM's.
 // All buffers use layout(scalar), and structs hold 4-byte members only, so both sides agree;
-// what is written for each kernel when building (src/gpu/describe_kernels.cpp) does not compile otherwise.
+// what is written for each kernel when building (src/gpu/modules/describe_kernels.cpp) does not compile otherwise.
 #ifndef IMPORTON_SHARED_GLSL_COMPAT_H
 #define IMPORTON_SHARED_GLSL_COMPAT_H
 #ifdef __cplusplus

@@ -4,9 +4,9 @@
 /// done once, with the constants left open. LEAN is the same module with the constants of rare features
 /// (kSpecFirstRare) taken for false, or an empty file if it has none: what most scenes never need is not in it at all.
 /// PLACED is that for scenes that need kSpecHasInstances alone of these, or an empty file where it makes no difference.
-/// In all of them lanes keep what they had when they left a loop (close_loops.h). Throws at a module that is not valid
-/// for Vulkan 1.2 with scalar block layout. FOLDER keeps what was made, for builds that make the same: it takes
-/// seconds.
+/// All of them are made for lanes that go through them together (close_loops.h, flatten_branches.h). Throws at a module
+/// that is not valid for Vulkan 1.2 with scalar block layout. FOLDER keeps what was made, for builds that make the
+/// same: it takes seconds.
 #include <spirv_cross/spirv.h>
 #include <unistd.h>
 
@@ -26,7 +26,8 @@
 #include <vector>
 
 #include "base/hash.h"
-#include "gpu/close_loops.h"
+#include "gpu/modules/close_loops.h"
+#include "gpu/modules/flatten_branches.h"
 #include "shared/features.h"
 
 namespace {
@@ -127,6 +128,14 @@ Words optimised(const Words& module, const std::vector<std::string>& passes) {
   return result;
 }
 
+/// Made such that it runs right, and is compiled soon, where lanes go through it together.
+Words forLanes(const Words& module) {
+  importon::gpu::ModuleBlocks blocks = importon::gpu::blocksOf(module);
+  importon::gpu::flattenBranches(blocks);
+  importon::gpu::closeLoops(blocks);
+  return blocks.words();
+}
+
 /// Whole, lean and placed.
 using Modules = std::array<Words, 3>;
 
@@ -135,7 +144,7 @@ Modules optimisedAll(const Words& module) {
   const Words open = optimised(module, kOpen);
   Modules modules{open, withoutRare(open, Instances::left), withoutRare(open, Instances::taken)};
   for (Words& each : modules)
-    if (!each.empty()) each = validated(importon::gpu::closeLoops(optimised(each, kClosed)));
+    if (!each.empty()) each = validated(forLanes(optimised(each, kClosed)));
   return modules;
 }
 

@@ -1,11 +1,7 @@
-#include "gpu/close_loops.h"
-
-#include <spirv-tools/libspirv.h>
-#include <spirv_cross/spirv.h>
+#include "gpu/modules/close_loops.h"
 
 #include <algorithm>
 #include <map>
-#include <memory>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -13,121 +9,26 @@
 namespace importon::gpu {
 namespace {
 
-using Words = std::vector<std::uint32_t>;
-using Id = std::uint32_t;
-
-constexpr std::size_t kHeaderWords = 5;
-constexpr std::size_t kBoundWord = 3;  // above all ids [SPIR-V 1.5, 2.3]
-
-struct Instruction {
-  Words words;
-  SpvOp operation = SpvOpNop;
-  Id type = 0, result = 0;        // 0: none
-  std::vector<std::size_t> uses;  // words that are ids of values or blocks
-};
-
-/// A block of a function: a label and what follows it.
-struct Block {
-  Id label = 0;
-  std::vector<Instruction> instructions;
-  std::vector<Id> successors;
-};
-
 struct Loop {
   Id header = 0, merge = 0;
   std::set<Id> members;  // labels
 };
 
-/// What is before the blocks, the blocks of all functions, and what stands between two functions.
-struct Module {
-  Words header;
-  std::vector<Instruction> declarations;
-  std::vector<Block> blocks;
-  std::set<Id> pointers, images;  // types
-};
-
-bool isUse(spv_operand_type_t type) {
-  return type == SPV_OPERAND_TYPE_ID || type == SPV_OPERAND_TYPE_SCOPE_ID ||
-         type == SPV_OPERAND_TYPE_MEMORY_SEMANTICS_ID;
-}
-
-Instruction instructionOf(const spv_parsed_instruction_t& parsed) {
-  Instruction instruction{{parsed.words, parsed.words + parsed.num_words},
-                          static_cast<SpvOp>(parsed.opcode),
-                          parsed.type_id,
-                          parsed.result_id,
-                          {}};
-  for (std::uint16_t i = 0; i < parsed.num_operands; ++i)
-    if (isUse(parsed.operands[i].type)) instruction.uses.push_back(parsed.operands[i].offset);
-  return instruction;
-}
-
-void addSuccessors(Block& block, const Instruction& instruction) {
-  switch (instruction.operation) {
-    case SpvOpBranch:
-      block.successors = {instruction.words[1]};
-      break;
-    case SpvOpBranchConditional:
-      block.successors = {instruction.words[2], instruction.words[3]};
-      break;
-    case SpvOpSwitch:
-      for (std::size_t i = 1; i < instruction.uses.size(); ++i)
-        block.successors.push_back(instruction.words[instruction.uses[i]]);
-      break;
-    default:
-      break;
-  }
-}
-
-spv_result_t addInstruction(void* to, const spv_parsed_instruction_t* parsed) {
-  Module& module = *static_cast<Module*>(to);
-  Instruction instruction = instructionOf(*parsed);
-  if (instruction.operation == SpvOpTypePointer) module.pointers.insert(instruction.result);
-  if (instruction.operation == SpvOpTypeImage || instruction.operation == SpvOpTypeSampledImage)
-    module.images.insert(instruction.result);
-  if (instruction.operation == SpvOpLabel) module.blocks.push_back({instruction.result, {}, {}});
-  if (module.blocks.empty()) {
-    module.declarations.push_back(std::move(instruction));
-    return SPV_SUCCESS;
-  }
-  addSuccessors(module.blocks.back(), instruction);
-  module.blocks.back().instructions.push_back(std::move(instruction));
-  return SPV_SUCCESS;
-}
-
-Module parse(const Words& words) {
-  Module module;
-  if (words.size() < kHeaderWords) throw std::runtime_error("no module");
-  module.header.assign(words.begin(), words.begin() + kHeaderWords);
-  const std::unique_ptr<spv_context_t, decltype(&spvContextDestroy)> context(spvContextCreate(SPV_ENV_VULKAN_1_2),
-                                                                             spvContextDestroy);
-  if (spvBinaryParse(context.get(), &module, words.data(), words.size(), nullptr, addInstruction, nullptr) !=
-      SPV_SUCCESS)
-    throw std::runtime_error("a module that cannot be parsed");
-  return module;
-}
-
-const Block& blockOf(const Module& module, Id label) {
-  const auto found = std::ranges::find(module.blocks, label, &Block::label);
-  if (found == module.blocks.end()) throw std::runtime_error("a branch to no block");
-  return *found;
-}
-
 /// Blocks that are reached from the header without leaving by the merge block.
-std::set<Id> membersOf(const Module& module, Id header, Id merge) {
+std::set<Id> membersOf(const ModuleBlocks& module, Id header, Id merge) {
   std::set<Id> members{header};
   std::vector<Id> open{header};
   while (!open.empty()) {
     const Id label = open.back();
     open.pop_back();
-    for (const Id next : blockOf(module, label).successors)
+    for (const Id next : module.block(label).successors)
       if (next != merge && members.insert(next).second) open.push_back(next);
   }
   return members;
 }
 
 /// Inner ones before those around them.
-std::vector<Loop> loopsOf(const Module& module) {
+std::vector<Loop> loopsOf(const ModuleBlocks& module) {
   std::vector<Loop> loops;
   for (const Block& block : module.blocks)
     for (const Instruction& instruction : block.instructions)
@@ -139,7 +40,7 @@ std::vector<Loop> loopsOf(const Module& module) {
 
 /// Calls `visit(word)` for each use of a value outside the loop; a phi uses a value where it comes from.
 template <class Visit>
-void forUsesOutside(Module& module, const Loop& loop, Visit&& visit) {
+void forUsesOutside(ModuleBlocks& module, const Loop& loop, Visit&& visit) {
   for (Block& block : module.blocks) {
     const bool isInside = loop.members.contains(block.label);
     for (Instruction& instruction : block.instructions) {
@@ -161,7 +62,7 @@ bool readsMemory(SpvOp operation) {
 
 /// Values of the loop that depend on what is read in it: a turn in which a lane has no part reads something else for
 /// it. Others come out of the header's phis again, turn by turn.
-std::set<Id> readIn(const Module& module, const Loop& loop) {
+std::set<Id> readIn(const ModuleBlocks& module, const Loop& loop) {
   std::set<Id> values;
   for (std::size_t before = 1; before != values.size();) {  // until no phi adds any
     before = values.size();
@@ -178,41 +79,26 @@ std::set<Id> readIn(const Module& module, const Loop& loop) {
   return values;
 }
 
-Instruction make(SpvOp operation, Id type, Id result, const Words& operands) {
-  Instruction made{{0}, operation, type, result, {}};
-  if (type != 0) made.words.push_back(type);
-  if (result != 0) made.words.push_back(result);
-  for (const std::uint32_t operand : operands) {
-    made.uses.push_back(made.words.size());
-    made.words.push_back(operand);
-  }
-  made.words[0] = static_cast<std::uint32_t>(made.words.size()) << SpvWordCountShift | operation;
-  return made;
-}
-
 class Closer {
  public:
-  explicit Closer(Module& module) : module_(module) {}
+  explicit Closer(ModuleBlocks& module) : module_(module) {}
 
   void close(const Loop& loop) {
     const std::vector<std::pair<Id, Id>> leaving = leavingValues(loop);
     if (leaving.empty()) return;
     const std::vector<Id> parents = parentsOf(loop.merge);
     for (const auto& [value, type] : leaving) {
-      const Id closed = newId();
+      const Id closed = module_.newId();
       forUsesOutside(module_, loop, [&, value = value](Id& id) { id = id == value ? closed : id; });
-      Words operands;
+      ModuleWords operands;
       for (const Id parent : parents) operands.insert(operands.end(), {value, parent});
-      Block& merge = block(loop.merge);
-      merge.instructions.insert(merge.instructions.begin() + 1, make(SpvOpPhi, type, closed, operands));
+      Block& merge = module_.block(loop.merge);
+      merge.instructions.insert(merge.instructions.begin() + 1, makeInstruction(SpvOpPhi, type, closed, operands));
     }
     addExit(loop);
   }
 
  private:
-  Id newId() { return module_.header[kBoundWord]++; }
-  Block& block(Id label) { return *std::ranges::find(module_.blocks, label, &Block::label); }
-
   /// All values that leave the loop, with their types; none if none of them depends on what is read in it.
   std::vector<std::pair<Id, Id>> leavingValues(const Loop& loop) {
     const std::set<Id> read = readIn(module_, loop);
@@ -243,9 +129,9 @@ class Closer {
 
   /// A second way out of the loop that is never taken: an optimiser would take a phi for its only value.
   void addExit(const Loop& loop) {
-    const Id rest = newId(), never = neverTrue();
-    Block& header = block(loop.header);
-    Block body{rest, {make(SpvOpLabel, 0, rest, {})}, header.successors};
+    const Id rest = module_.newId(), never = neverTrue();
+    Block& header = module_.block(loop.header);
+    Block body{rest, {makeInstruction(SpvOpLabel, 0, rest, {})}, header.successors};
     std::vector<Instruction> kept;
     Instruction merge;
     for (Instruction& i : header.instructions) {
@@ -257,7 +143,7 @@ class Closer {
     }
     if (merge.words[2] == loop.header) merge.words[2] = rest;  // a loop of one block
     kept.push_back(std::move(merge));
-    kept.push_back(make(SpvOpBranchConditional, 0, 0, {never, loop.merge, rest}));
+    kept.push_back(makeInstruction(SpvOpBranchConditional, 0, 0, {never, loop.merge, rest}));
     header.instructions = std::move(kept);
     header.successors = {loop.merge, rest};
     module_.blocks.insert(std::ranges::find(module_.blocks, loop.header, &Block::label) + 1, std::move(body));
@@ -272,9 +158,9 @@ class Closer {
         for (std::size_t parent = 4; parent < i.words.size(); parent += 2)
           if (i.words[parent] == loop.header) i.words[parent] = rest;
         if (each.label != loop.merge) continue;
-        Words operands(i.words.begin() + 3, i.words.end());
+        ModuleWords operands(i.words.begin() + 3, i.words.end());
         operands.insert(operands.end(), {zero(i.type), loop.header});
-        i = make(SpvOpPhi, i.type, i.result, operands);
+        i = makeInstruction(SpvOpPhi, i.type, i.result, operands);
       }
     }
   }
@@ -282,8 +168,8 @@ class Closer {
   Id zero(Id type) {
     Id& id = zeros_[type];
     if (id == 0) {
-      id = newId();
-      module_.declarations.insert(functions(), make(SpvOpConstantNull, type, id, {}));
+      id = module_.newId();
+      module_.declarations.insert(functions(), makeInstruction(SpvOpConstantNull, type, id, {}));
     }
     return id;
   }
@@ -291,8 +177,8 @@ class Closer {
   /// A value that is false and that no optimiser knows: a dispatch without workgroups.
   Id neverTrue() {
     if (never_ != 0) return never_;
-    const Id counts = newId(), count = newId();
-    never_ = newId();
+    const Id counts = module_.newId(), count = module_.newId();
+    never_ = module_.newId();
     const Instruction variable = workgroupCounts();
     const Id vector = declared([&](const Instruction& i) {
                         return i.operation == SpvOpTypePointer && i.result == variable.type;
@@ -304,9 +190,9 @@ class Closer {
     const auto at = std::ranges::find_if(
         first, [](const Instruction& i) { return i.operation != SpvOpLabel && i.operation != SpvOpVariable; });
     const Id zeroCount = zero(scalar);
-    first.insert(at, {make(SpvOpLoad, vector, counts, {variable.result}),
-                      make(SpvOpCompositeExtract, scalar, count, {counts, 0}),
-                      make(SpvOpIEqual, boolean, never_, {count, zeroCount})});
+    first.insert(at, {makeInstruction(SpvOpLoad, vector, counts, {variable.result}),
+                      makeInstruction(SpvOpCompositeExtract, scalar, count, {counts, 0}),
+                      makeInstruction(SpvOpIEqual, boolean, never_, {count, zeroCount})});
     return never_;
   }
 
@@ -330,23 +216,17 @@ class Closer {
     return std::ranges::find(module_.declarations, SpvOpFunction, &Instruction::operation);
   }
 
-  Module& module_;
+  ModuleBlocks& module_;
   Id never_ = 0;
   std::map<Id, Id> zeros_;  // by type
 };
 
 }  // namespace
 
-std::vector<std::uint32_t> closeLoops(const std::vector<std::uint32_t>& words) {
-  Module module = parse(words);
+void closeLoops(ModuleBlocks& module) {
   Closer closer(module);
   for (const Loop& loop : loopsOf(module))
     closer.close({loop.header, loop.merge, membersOf(module, loop.header, loop.merge)});  // closing adds members
-  Words result = module.header;
-  for (const Instruction& i : module.declarations) result.insert(result.end(), i.words.begin(), i.words.end());
-  for (const Block& block : module.blocks)
-    for (const Instruction& i : block.instructions) result.insert(result.end(), i.words.begin(), i.words.end());
-  return result;
 }
 
 }  // namespace importon::gpu
