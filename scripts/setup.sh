@@ -39,6 +39,45 @@ installPackages() {
   rm -f "$log"
 }
 
+# driverFile NAME|FILE: the file by which the Vulkan loader finds a CPU driver: lavapipe of the installed Mesa, mesa-backports
+# for that of the backports, unpacked aside, swiftshader for that of Chromium; else the file itself.
+driverFile() {
+  local found=()
+  case $1 in
+    lavapipe) found=(/usr/share/vulkan/icd.d/lvp_icd*.json) ;;
+    swiftshader) found=(/usr/lib/chromium*/vk_swiftshader_icd.json) ;;
+    mesa-backports)
+      unpackBackport mesa-vulkan-drivers "$root/build/drivers/mesa"
+      found=("$root"/build/drivers/mesa/usr/share/vulkan/icd.d/lvp_icd*.json)
+      ;;
+    *) found=("$1") ;;
+  esac
+  [[ -e ${found[0]} ]] || fail "there is no such driver ($1): lavapipe, swiftshader, mesa-backports or a file"
+  printf '%s\n' "${found[0]}"
+}
+
+# unpackBackport PACKAGE FOLDER: the package of this release's backports, unpacked into the folder but not installed. The
+# files of its Vulkan drivers name their libraries there.
+unpackBackport() {
+  local folder=$2 site release apt libraries
+  [[ ! -e $folder/.unpacked ]] || return 0
+  # shellcheck source=/dev/null
+  release=$(. /etc/os-release && printf '%s' "$VERSION_CODENAME")
+  site=$(apt-get indextargets --format '$(SITE) $(RELEASE)' 'Created-By: Packages' |
+    awk -v release="$release" '$2 == release { print $1; exit }')
+  rm -rf "$folder" && mkdir -p "$folder/lists/partial" "$folder/archives/partial"
+  printf 'deb %s %s-backports main\n' "$site" "$release" > "$folder/sources.list"
+  apt=(apt-get -q -y -o "Dir::Etc::sourcelist=$folder/sources.list" -o Dir::Etc::sourceparts=-
+    -o "Dir::State::lists=$folder/lists" -o APT::Sandbox::User=root)
+  say "fetching $1 of $release-backports"
+  { "${apt[@]}" update && (cd "$folder" && "${apt[@]}" download "$1"); } > "$folder/log" 2>&1 ||
+    fail "cannot fetch $1 of $release-backports (log in $folder/log)"
+  dpkg-deb --extract "$folder/$1"_*.deb "$folder"
+  libraries=$(dirname "$(find "$folder/usr/lib" -name 'libvulkan_*.so' -print -quit)")
+  sed -i "s|\(\"library_path\": \"\)[^\"]*/\?\(lib[^\"/]*\"\)|\1$libraries/\2|" "$folder"/usr/share/vulkan/icd.d/*.json
+  touch "$folder/.unpacked"
+}
+
 # isBuilt PRESET: true when no source is newer than the last build of the preset that ended well.
 isBuilt() {
   local stamp="$root/build/$1/.built"

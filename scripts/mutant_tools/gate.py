@@ -54,7 +54,7 @@ class Gate:
         (folder / "logs").mkdir(parents=True, exist_ok=True)
         self.environment = {**os.environ, "IMPORTON_REQUIRE_VULKAN": "1", "GTEST_COLOR": "no"}
         if not {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"} & set(os.environ):
-            drivers = sorted(pathlib.Path("/usr/share/vulkan/icd.d").glob("lvp_icd.*.json"))
+            drivers = sorted(pathlib.Path("/usr/share/vulkan/icd.d").glob("lvp_icd*.json"))
             self.environment["VK_DRIVER_FILES"] = str(drivers[0]) if drivers else ""
 
     def pass_without_mutants(self, digest, likely=None):
