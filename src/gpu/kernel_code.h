@@ -19,7 +19,7 @@ struct KernelBuffer {
 struct KernelCode {
   std::string_view name;  // of its file, without .comp
   const std::uint32_t *begin, *end;
-  const std::uint32_t* leanEnd;           // words of the lean module (modules/optimise_module.cpp) follow the others; none: end
+  const std::uint32_t* leanEnd;  // words of the lean module (modules/optimise_module.cpp) follow the others; none: end
   const std::uint32_t* placedEnd;         // and after them those of the one for placed meshes; none: leanEnd
   std::span<const std::uint32_t> rare;    // ids of the specialization constants that the lean module takes for 0
   std::span<const KernelBuffer> buffers;  // by slot

@@ -28,7 +28,8 @@ void main() {
   vec3 sum = vec3(0.0);
   while (nextPoint(walk)) {
     if (!isInside(walk, normal, radius) || !hasLikeNormal(walk.packed, normal, kLikeNormal)) continue;
-    sum += unpackFlux(texelFetch(mapFluxPairs, int(walk.index)).xy) * epanechnikov(dot(walk.offset, walk.offset), radius);
+    const vec3 flux = unpackFlux(texelFetch(mapFluxPairs, int(walk.index)).xy);
+    sum += flux * epanechnikov(dot(walk.offset, walk.offset), radius);
   }
   irradiance[i] = packFlux(sum);
 }

@@ -21,7 +21,8 @@ layout(push_constant, scalar) uniform Push {
 uint countNeighbours(Walk walk, vec3 normal, float radius, uint quota, uint i, uint count) {
   while (count < quota && nextPoint(walk)) {
     if (!isInside(walk, normal, radius)) continue;
-    if (push.isBatch != 0u && texelFetch(storedOrderWords, int(walk.index)).x >= i) skipRange(walk);  // later hits follow
+    // Later hits follow.
+    if (push.isBatch != 0u && texelFetch(storedOrderWords, int(walk.index)).x >= i) skipRange(walk);
     else if (hasLikeNormal(walk.packed, normal, kLikeNormal)) ++count;
   }
   return count;

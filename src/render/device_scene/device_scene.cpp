@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstring>
 #include <numeric>
+#include <span>
 
 #include "render/device_scene/albedo_table.h"
 #include "render/device_scene/instances.h"
@@ -124,7 +125,7 @@ uint append(std::vector<Word>& to, const Items& data) {
   const std::span bytes = std::as_bytes(std::span(data));
   const std::size_t first = to.size();
   to.resize(first + bytes.size() / sizeof(Word));
-  std::memcpy(to.data() + first, bytes.data(), bytes.size());
+  std::ranges::copy(bytes, std::as_writable_bytes(std::span(to)).begin() + first * sizeof(Word));
   return static_cast<uint>(first);
 }
 

@@ -12,7 +12,7 @@ namespace importon {
 struct DeviceScene {
   gpu::Buffer bvh, vertices, triangles, images, lightAlias, environment, environmentAliases;
   gpu::Buffer starts, tables, lists;  // shaders/bindings/tables.glsl
-  double area = 0;  // m², of one side of all surfaces
+  double area = 0;                    // m², of one side of all surfaces
 };
 
 /// Uploads; throws DeviceError with need and limit if the device cannot hold it.
