@@ -2,20 +2,15 @@
 
 #include <algorithm>
 
+#include "gpu/spirv_words.h"
+
 namespace importon::gpu {
 
 std::vector<std::uint32_t> declaredConstants(std::span<const std::uint32_t> spirv) {
-  // SPIR-V specification 1.5: 2.3 physical layout, 3.20 decorations, 3.32.3 annotations.
-  constexpr std::size_t kHeaderWords = 5, kCountShift = 16;
-  constexpr std::uint32_t kOpDecorate = 71, kSpecId = 1, kOpcodeMask = 0xFFFF;
   std::vector<std::uint32_t> ids;
-  for (std::size_t at = kHeaderWords; at < spirv.size();) {
-    const std::size_t count = spirv[at] >> kCountShift;
-    if (count == 0 || count > spirv.size() - at) break;
-    if ((spirv[at] & kOpcodeMask) == kOpDecorate && count == 4 && spirv[at + 2] == kSpecId)
-      ids.push_back(spirv[at + 3]);
-    at += count;
-  }
+  (void)forEachInstruction(spirv, [&ids](SpirvInstruction i) {
+    if (operationOf(i) == SpvOpDecorate && i.size() == 4 && i[2] == SpvDecorationSpecId) ids.push_back(i[3]);
+  });
   std::ranges::sort(ids);
   return ids;
 }

@@ -1,7 +1,5 @@
 #include "gpu/storage_texels.h"
 
-#include <spirv_cross/spirv.h>
-
 #include <algorithm>
 #include <initializer_list>
 #include <map>
@@ -9,26 +7,21 @@
 #include <stdexcept>
 #include <utility>
 
+#include "gpu/spirv_words.h"
+
 namespace importon::gpu {
 namespace {
 
 using Id = std::uint32_t;
 using Words = std::vector<std::uint32_t>;
-using Instruction = std::span<const std::uint32_t>;  // its first word tells length and operation
+using Instruction = SpirvInstruction;
 
 constexpr std::size_t kHeaderWords = 5;
 constexpr std::size_t kBoundWord = 3;  // above all ids [SPIR-V 1.5, 2.3]
 
-SpvOp operationOf(Instruction instruction) { return static_cast<SpvOp>(instruction[0] & SpvOpCodeMask); }
-
 template <class Function>
 void forEach(std::span<const std::uint32_t> module, Function&& function) {
-  for (std::size_t at = kHeaderWords; at < module.size();) {
-    const std::size_t count = module[at] >> SpvWordCountShift;
-    if (count == 0 || count > module.size() - at) throw std::logic_error("an instruction ends beyond its module");
-    function(module.subspan(at, count));
-    at += count;
-  }
+  if (!forEachInstruction(module, function)) throw std::logic_error("an instruction ends beyond its module");
 }
 
 void append(Words& words, SpvOp operation, std::initializer_list<std::uint32_t> operands) {

@@ -37,7 +37,7 @@ def png(rows, kinds):
     return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(raw)) + chunk(b"IEND", b""))
 
 
-os.environ["ASAN_OPTIONS"] = "detect_leaks=0"  # drivers keep memory until the process ends
+os.environ.setdefault("ASAN_OPTIONS", "detect_leaks=0")  # drivers keep memory until the process ends
 
 
 class Corpus(unittest.TestCase):
