@@ -1,6 +1,7 @@
 // Flux as 64-bit fixed point in two words, and as three packed floats.
 #ifndef IMPORTON_LIB_FLUX_GLSL
 #define IMPORTON_LIB_FLUX_GLSL
+#include "shared/elementary.h"
 
 /// Units of flux (a non-negative whole number below 2^63): low word in x.
 uvec2 fixedFromFloat(float units) {
@@ -8,7 +9,7 @@ uvec2 fixedFromFloat(float units) {
   return uvec2(uint(units - high * 4294967296.0), uint(high));
 }
 
-float floatFromFixed(uvec2 value) { return float(value.y) * 4294967296.0 + float(value.x); }
+float floatFromFixed(uvec2 value) { return portableFloat(value.y) * 4294967296.0 + portableFloat(value.x); }
 
 uvec2 addFixed(uvec2 a, uvec2 b) {
   uint carry;

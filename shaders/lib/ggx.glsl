@@ -2,6 +2,7 @@
 #ifndef IMPORTON_LIB_GGX_GLSL
 #define IMPORTON_LIB_GGX_GLSL
 #include "lib/sampling.glsl"
+#include "shared/elementary.h"
 
 /// Density of normals, 1/sr. [Walter et al. 2007, eq. 33]
 float ggxDistribution(vec3 h, float alpha) {
@@ -33,9 +34,10 @@ vec3 sampleVisibleNormal(vec3 wo, vec2 alphas, vec2 u) {
   const vec3 t1 = length2 > 0.0 ? vec3(-v.y, v.x, 0.0) * inversesqrt(length2) : vec3(1.0, 0.0, 0.0);
   const vec3 t2 = cross(v, t1);
   const float r = sqrt(u.x), phi = 2.0 * kPi * u.y;
-  const float x = r * cos(phi);
+  const vec2 turn = portableCosSin(phi);
+  const float x = r * turn.x;
   const float s = 0.5 * (1.0 + v.z);
-  const float y = (1.0 - s) * sqrt(max(0.0, 1.0 - x * x)) + s * r * sin(phi);
+  const float y = (1.0 - s) * sqrt(max(0.0, 1.0 - x * x)) + s * r * turn.y;
   const vec3 n = x * t1 + y * t2 + sqrt(max(0.0, 1.0 - x * x - y * y)) * v;
   return normalize(vec3(alphas * n.xy, max(1e-9, n.z)));
 }

@@ -6,6 +6,7 @@
 #ifndef IMPORTON_LIB_GRID_GLSL
 #define IMPORTON_LIB_GRID_GLSL
 #include "lib/hash.glsl"
+#include "shared/elementary.h"
 
 const uint kGridLevels = 21u;  // levels 0 .. 20: the smallest cell is 2^-20 of the scene
 
@@ -27,7 +28,7 @@ uint gridLevel(GridFrame frame, float radius) {
 }
 
 /// Edge of the cells of a level, m.
-float gridCellEdge(GridFrame frame, uint level) { return ldexp(frame.extent, -int(level)); }
+float gridCellEdge(GridFrame frame, uint level) { return frame.extent * powerOfTwo(-int(level)); }
 
 ivec3 gridCellOf(GridFrame frame, vec3 position, uint level) {
   return ivec3(floor((position - frame.origin) * (float(1u << level) / frame.extent)));

@@ -5,6 +5,7 @@
 #define IMPORTON_LIB_IRIDESCENCE_GLSL
 #include "lib/fresnel.glsl"
 #include "lib/sampling.glsl"
+#include "shared/elementary.h"
 
 struct Film {
   float share;      // of the surface that it covers
@@ -16,7 +17,8 @@ const float kNoFilm = 0.03;  // nm, below which the film fades out; likewise one
 
 /// A film over a share of the surface.
 Film makeFilm(float share, float ior, float thickness) {
-  return Film(ior > 1.0 ? share * smoothstep(0.0, kNoFilm, thickness) : 0.0, ior, thickness);
+  const float t = clamp(thickness / kNoFilm, 0.0, 1.0);  // smoothly from none
+  return Film(ior > 1.0 ? share * (t * t * (3.0 - 2.0 * t)) : 0.0, ior, thickness);
 }
 
 float normalReflectance(float eta) {
@@ -30,8 +32,8 @@ vec3 interference(float difference, vec3 shift) {
   const float phase = 2.0 * kPi * difference, square = phase * phase;
   const vec3 height = vec3(5.4856e-13, 4.4201e-13, 5.2481e-13), middle = vec3(1.6810e6, 1.7953e6, 2.2084e6);
   const vec3 width = vec3(4.3278e9, 9.3046e9, 6.6121e9);
-  vec3 xyz = height * sqrt(2.0 * kPi * width) * cos(middle * phase + shift) * exp(-square * width);
-  xyz.x += 9.7470e-14 * sqrt(2.0 * kPi * 4.5282e9) * cos(2.2399e6 * phase + shift.x) * exp(-square * 4.5282e9);
+  vec3 xyz = height * sqrt(2.0 * kPi * width) * portableCos(middle * phase + shift) * portableExp(-square * width);
+  xyz.x += 9.7470e-14 * sqrt(2.0 * kPi * 4.5282e9) * portableCos(2.2399e6 * phase + shift.x) * portableExp(-square * 4.5282e9);
   xyz /= 1.0685e-7;
   return vec3(dot(vec3(3.2404542, -1.5371385, -0.4985314), xyz), dot(vec3(-0.9692660, 1.8760108, 0.0415560), xyz),
               dot(vec3(0.0556434, -0.2040259, 1.0572252), xyz));

@@ -9,6 +9,7 @@
 #include "lib/hash.glsl"
 #include "lib/environment.glsl"
 #include "lib/light_tree.glsl"
+#include "shared/elementary.h"
 
 struct LightSample {
   vec3 direction;   // to the light, unit length
@@ -44,9 +45,9 @@ float spotFalloff(float cosInner, float cosOuter, float cosine) {
 /// Share of its greatest intensity that a light with a profile sends along a direction.
 float profileShare(Light light, vec3 direction) {
   const vec3 local = direction * frameAround(light.direction);
-  const float around = dot(local.xy, local.xy) > 0.0 ? atan(local.y, local.x) - light.area : 0.0;
+  const float around = dot(local.xy, local.xy) > 0.0 ? portableAtan(local.y, local.x) - light.area : 0.0;
   const float azimuth = light.isTwoSided != 0u ? around : -around;  // the lamp looks along its -z
-  const vec2 place = vec2(azimuth / (2.0 * kPi), acos(clamp(local.z, -1.0, 1.0)) / kPi);
+  const vec2 place = vec2(azimuth / (2.0 * kPi), portableAcos(clamp(local.z, -1.0, 1.0)) / kPi);
   return sampleTexture(light.triangle, place, place).r;
 }
 

@@ -11,6 +11,7 @@
 #include "lib/iridescence.glsl"
 #include "lib/sheen.glsl"
 #include "lib/surface.glsl"
+#include "shared/elementary.h"
 
 const float kNoRefraction = 1e-3;  // relative index of a solid so near to 1 bends no light
 
@@ -54,7 +55,7 @@ struct Bsdf {
 /// Share of light that crosses a sheet once, inside, where it meets it at this cosine. [Beer's law]
 vec3 sheetCrossed(Bsdf b, float cosine) {
   const float inside2 = 1.0 - (1.0 - cosine * cosine) / (b.eta * b.eta);
-  return exp(-b.sheetDepth / sqrt(max(inside2, 1e-6)));
+  return portableExp(-b.sheetDepth / sqrt(max(inside2, 1e-6)));
 }
 
 const float kDiffuseCosine = 2.0 / 3.0;  // the mean cosine of diffuse light
@@ -127,7 +128,7 @@ float reflectShare(Bsdf b, float cosine) {
 /// that at the cosine at which Schlick's reflectance is its mean over the microfacets.
 float filmCover(Bsdf b, float cosine, vec2 albedo) {
   if (b.isSmooth) return maxComponent(filmReflectance(b.film, b.filmDielectric, cosine));
-  const float middle = 1.0 - pow(clamp(albedo.y / max(albedo.x, 1e-6), 0.0, 1.0), 0.2);
+  const float middle = 1.0 - portablePow(clamp(albedo.y / max(albedo.x, 1e-6), 0.0, 1.0), 0.2);
   return maxComponent(filmReflectance(b.film, b.filmDielectric, middle)) * albedo.x + b.filmMissed * (1.0 - albedo.x);
 }
 
@@ -305,7 +306,7 @@ Bsdf makeBsdf(Surface s, float cosOut) {
   b.eta = s.isFront || b.isThin ? s.ior : 1.0 / s.ior;
   if (kHasSheets && b.isThin) {
     b.sheetDepth = s.sheetDepth;
-    b.below *= exp(-kDiffuseWay * s.sheetDepth);
+    b.below *= portableExp(-kDiffuseWay * s.sheetDepth);
   }
   makeRoughness(b, s);
   addFilm(b, s, metal, opaque, f0);

@@ -6,6 +6,7 @@
 #include "lib/hash.glsl"
 #include "lib/media.glsl"
 #include "lib/path_pairs.glsl"
+#include "shared/elementary.h"
 
 bool isSolidInterface(Surface s) {
   if ((s.flags & kMaterialSolid) == 0u) return false;
@@ -20,8 +21,8 @@ uint materialOfMedium(uint medium) { return materialTexel(kMaterialTexels * (med
 vec3 mediumTransmittance(uvec2 media, Surface s, float t) {
   const uint medium = innermostMedium(media);
   if (medium != 0u)
-    return exp(-uintBitsToFloat(materialTexel(kMaterialTexels * materialOfMedium(medium) + 3u)).rgb * t);
-  return !s.isFront && isSolidInterface(s) ? exp(-s.absorption * t) : vec3(1.0);
+    return portableExp(-uintBitsToFloat(materialTexel(kMaterialTexels * materialOfMedium(medium) + 3u)).rgb * t);
+  return !s.isFront && isSolidInterface(s) ? portableExp(-s.absorption * t) : vec3(1.0);
 }
 
 /// Number of the medium behind the surface of a solid.

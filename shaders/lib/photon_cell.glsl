@@ -5,6 +5,7 @@
 #ifndef IMPORTON_LIB_PHOTON_CELL_GLSL
 #define IMPORTON_LIB_PHOTON_CELL_GLSL
 #include "lib/hash.glsl"
+#include "shared/elementary.h"
 
 const uint kLevelsPerOctave = 8u;  // cell edges come in steps of 2^(1/8)
 const uint kFinestCell = 20u;      // log2 of the most cells along the scene
@@ -18,11 +19,11 @@ struct CellKey {
 /// `density` (photons/m²), and at least 0.84. A unit area of plane meets |n_x|+|n_y|+|n_z| unit cubes.
 uint cellLevel(float extent, vec3 normal, float density) {
   const float cubes = abs(normal.x) + abs(normal.y) + abs(normal.z);
-  const float steps = ceil(0.5 * float(kLevelsPerOctave) * log2(max(density * extent * extent / cubes, 1.0)));
+  const float steps = ceil(0.5 * float(kLevelsPerOctave) * portableLog2(max(density * extent * extent / cubes, 1.0)));
   return uint(min(steps, float(kLevelsPerOctave * kFinestCell)));
 }
 
-float cellEdge(float extent, uint level) { return extent * exp2(-float(level) / float(kLevelsPerOctave)); }
+float cellEdge(float extent, uint level) { return extent * portableExp2(-float(level) / float(kLevelsPerOctave)); }
 
 /// A direction by its rounded components: an axis lies amid its class.
 uint directionClass(vec3 direction) {

@@ -2,6 +2,7 @@
 // none of them counts more than its light does. [Ernst, Stamminger and Greiner 2006, Filter Importance Sampling]
 #ifndef IMPORTON_LIB_PIXEL_FILTER_GLSL
 #define IMPORTON_LIB_PIXEL_FILTER_GLSL
+#include "shared/elementary.h"
 #include "shared/features.h"
 
 const float kFilterRadius = 1.5;  // pixels, of all filters but the box
@@ -13,8 +14,8 @@ float blackmanHarrisShare(float x, out float density) {
   const float pi = 3.14159265358979;
   const vec3 a = vec3(0.48829, 0.14128, 0.01168) / 0.35875;
   const vec3 k = pi * vec3(1.0, 2.0, 3.0);
-  density = 0.5 * (1.0 + dot(a, cos(k * x)));
-  return 0.5 * (x + 1.0 + dot(a / k, sin(k * x)));
+  density = 0.5 * (1.0 + dot(a, portableCos(k * x)));
+  return 0.5 * (x + 1.0 + dot(a / k, portableSin(k * x)));
 }
 
 /// A point of the window with the share u left of it: Newton's method, kept within the halves of an interval.
@@ -37,8 +38,8 @@ vec2 pixelPoint(uint filter_, vec2 u) {
   const float pi = 3.14159265358979;
   if (filter_ == kFilterGaussian) {  // cut off at the radius
     const float range = -0.5 * kFilterRadius * kFilterRadius / (kGaussianSigma * kGaussianSigma);
-    const float r = kGaussianSigma * sqrt(-2.0 * log(1.0 - u.x * (1.0 - exp(range))));
-    return 0.5 + r * vec2(cos(2.0 * pi * u.y), sin(2.0 * pi * u.y));
+    const float r = kGaussianSigma * sqrt(-2.0 * portableLog(1.0 - u.x * (1.0 - portableExp(range))));
+    return 0.5 + r * portableCosSin(2.0 * pi * u.y);
   }
   if (filter_ == kFilterBlackmanHarris)
     return 0.5 + kFilterRadius * vec2(drawBlackmanHarris(u.x), drawBlackmanHarris(u.y));

@@ -3,6 +3,7 @@
 #ifndef IMPORTON_LIB_SAMPLED_SPREAD_GLSL
 #define IMPORTON_LIB_SAMPLED_SPREAD_GLSL
 #include "lib/bsdf.glsl"
+#include "shared/elementary.h"
 
 const float kNumberStep = 1e-3;    // of differences in place of derivatives
 const float kLargestSpread = 1.0;  // of a direction, rad: beyond it nothing is linear
@@ -46,7 +47,7 @@ vec3 lobeDirection(Bsdf b, vec3 wo, DrawnLobe lobe, vec2 u) {
 float logWeight(Bsdf b, vec3 wo, vec3 wi) {
   float pdf;
   const float f = mean(evalBsdf(b, wo, wi, pdf));
-  return log(max(f, 1e-20) / max(pdf, 1e-20));
+  return portableLog(max(f, 1e-20) / max(pdf, 1e-20));
 }
 
 /// Derivative by one of the numbers, from both sides.

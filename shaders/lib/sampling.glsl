@@ -1,6 +1,7 @@
 // Warps of the unit square, with their densities.
 #ifndef IMPORTON_LIB_SAMPLING_GLSL
 #define IMPORTON_LIB_SAMPLING_GLSL
+#include "shared/elementary.h"
 
 const float kPi = 3.14159265358979;
 
@@ -11,7 +12,7 @@ vec2 sampleDisc(vec2 u) {
   const bool isWide = abs(p.x) > abs(p.y);
   const float r = isWide ? p.x : p.y;
   const float phi = isWide ? (kPi / 4.0) * (p.y / p.x) : kPi / 2.0 - (kPi / 4.0) * (p.x / p.y);
-  return r * vec2(cos(phi), sin(phi));
+  return r * portableCosSin(phi);
 }
 
 /// Around +z, density cos/π per sr.
@@ -24,14 +25,14 @@ vec3 sampleCosineHemisphere(vec2 u) {
 vec3 sampleSphere(vec2 u) {
   const float z = 1.0 - 2.0 * u.x;
   const float r = sqrt(max(0.0, 1.0 - z * z));
-  return vec3(r * cos(2.0 * kPi * u.y), r * sin(2.0 * kPi * u.y), z);
+  return vec3(r * portableCosSin(2.0 * kPi * u.y), z);
 }
 
 /// Uniform over the cone around +z with half-angle acos(cosMax), density 1/(2π(1-cosMax)) per sr.
 vec3 sampleCone(vec2 u, float cosMax) {
   const float z = 1.0 - u.x * (1.0 - cosMax);
   const float r = sqrt(max(0.0, 1.0 - z * z));
-  return vec3(r * cos(2.0 * kPi * u.y), r * sin(2.0 * kPi * u.y), z);
+  return vec3(r * portableCosSin(2.0 * kPi * u.y), z);
 }
 
 /// Barycentric weights (of v1 and v2) uniform over a triangle. [Heitz 2019, A Low-Distortion Map]

@@ -2,6 +2,7 @@
 #ifndef IMPORTON_LIB_SCATTER_GRID_GLSL
 #define IMPORTON_LIB_SCATTER_GRID_GLSL
 #include "lib/sampling.glsl"
+#include "shared/elementary.h"
 #include "shared/render_data.h"
 
 uint longestAxis(vec3 n) {
@@ -33,7 +34,7 @@ vec2 squareOfHemisphere(vec3 w) {
   if (r == 0.0) return vec2(0.5);
   const bool isWide = abs(w.x) > abs(w.y);
   const float along = r * (isWide ? sign(w.x) : sign(w.y));
-  const float across = along * (4.0 / kPi) * atan(isWide ? w.y / w.x : w.x / w.y);
+  const float across = along * (4.0 / kPi) * portableAtan(isWide ? w.y / w.x : w.x / w.y, 1.0);
   const vec2 p = isWide ? vec2(along, across) : vec2(across, along);
   return clamp(0.5 * p + 0.5, vec2(0.0), vec2(0.99999994));
 }

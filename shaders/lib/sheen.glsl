@@ -6,6 +6,7 @@
 #include "lib/albedo.glsl"
 #include "lib/sampling.glsl"
 #include "lib/surface.glsl"
+#include "shared/elementary.h"
 
 struct Sheen {
   vec3 color;      // 0: none
@@ -33,19 +34,19 @@ float sheenFit(float x, float alpha) {
   const float t = (1.0 - alpha) * (1.0 - alpha);
   const float a = mix(25.3245, 21.5473, t), b = mix(3.32435, 3.82987, t), c = mix(0.16801, 0.19823, t);
   const float d = mix(-1.27393, -1.97760, t), e = mix(-4.85967, -4.32054, t);
-  return a / (1.0 + b * pow(x, c)) + d * x + e;
+  return a / (1.0 + b * portablePow(x, c)) + d * x + e;
 }
 
 /// [Estevez and Kulla 2017, eq. 3]
 float sheenLambda(float cosine, float alpha) {
-  return exp(cosine < 0.5 ? sheenFit(cosine, alpha) : 2.0 * sheenFit(0.5, alpha) - sheenFit(1.0 - cosine, alpha));
+  return portableExp(cosine < 0.5 ? sheenFit(cosine, alpha) : 2.0 * sheenFit(0.5, alpha) - sheenFit(1.0 - cosine, alpha));
 }
 
 /// Reflection, times cosine. Charlie's distribution: [Estevez and Kulla 2017, eq. 2]
 vec3 evalSheen(Sheen s, vec3 wo, vec3 wi) {
   const vec3 h = wo + wi;
   const float sin2 = clamp(dot(h.xy, h.xy) / max(dot(h, h), 1e-30), 0.0, 1.0), sharp = 1.0 / s.alpha;
-  const float d = (2.0 + sharp) * pow(sin2, 0.5 * sharp) / (2.0 * kPi);
+  const float d = (2.0 + sharp) * portablePow(sin2, 0.5 * sharp) / (2.0 * kPi);
   const float masked = 1.0 / (1.0 + sheenLambda(wo.z, s.alpha) + sheenLambda(wi.z, s.alpha));
   const float bound = min(s.boundOut, sheenAlbedo(wi.z, s.alpha).y);
   return s.color * (bound * d * masked / (4.0 * wo.z));

@@ -9,6 +9,7 @@
 #include "lib/placement.glsl"
 #include "lib/sampling.glsl"
 #include "lib/texture.glsl"
+#include "shared/elementary.h"
 
 struct Surface {
   vec3 position;
@@ -209,8 +210,9 @@ vec3 mappedNormal(vec3 m, float scale, vec3 normal, vec4 tangent) {
 /// Direction of the greatest roughness: `direction` in tangent space, turned by the material's angle.
 vec3 anisotropicTangent(vec2 direction, float rotation, vec3 normal, vec4 tangent) {
   const vec3 t = tangent.xyz - normal * dot(normal, tangent.xyz);
-  const vec2 d = vec2(direction.x * cos(rotation) - direction.y * sin(rotation),
-                      direction.x * sin(rotation) + direction.y * cos(rotation));
+  const vec2 turn = portableCosSin(rotation);
+  const vec2 d = vec2(direction.x * turn.x - direction.y * turn.y,
+                      direction.x * turn.y + direction.y * turn.x);
   return d.x * t + d.y * tangent.w * cross(normal, t);
 }
 

@@ -4,6 +4,7 @@
 #ifndef IMPORTON_LIB_TEXTURE_GLSL
 #define IMPORTON_LIB_TEXTURE_GLSL
 #include "lib/features.glsl"
+#include "shared/elementary.h"
 
 int wrapTexel(int i, int size, uint mode) {
   const int period = mode == kWrapRepeat ? size : 2 * size;
@@ -16,7 +17,7 @@ int wrapTexel(int i, int size, uint mode) {
 /// IEC 61966-2-1.
 vec3 linearFromSrgb(vec3 c) {
   const vec3 low = c * (1.0 / 12.92);
-  const vec3 high = pow((c + 0.055) * (1.0 / 1.055), vec3(2.4));
+  const vec3 high = portablePow((c + 0.055) * (1.0 / 1.055), 2.4);
   return mix(high, low, lessThanEqual(c, vec3(0.04045)));
 }
 

@@ -20,6 +20,7 @@ struct Limits {
   std::uint64_t maxStorageBufferRange = 0;  // bytes
   std::uint64_t maxTexelBufferElements = 0;
   bool hasLargeTexelBuffers = false;  // else kernels read the same as storage buffers
+  bool roundsDivision = false;        // quotients and roots to the nearest float; else kernels do (rounded_division.h)
   std::uint64_t maxAllocation = 0;    // bytes
   std::uint32_t maxWorkgroupCountX = 0;
   std::uint32_t maxWorkgroupSize = 0;

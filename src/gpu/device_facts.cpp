@@ -14,12 +14,20 @@ void readQueueFamily(VkPhysicalDevice device, DeviceFacts& facts) {
   facts.timestampMask = queue.timestampBits >= 64 ? ~0ull : (1ull << queue.timestampBits) - 1;
 }
 
+/// Drivers of processors, as tests show (Arithmetic.*); Vulkan promises it of none.
+bool roundsDivision(VkDriverId driver) {
+  return driver == VK_DRIVER_ID_MESA_LLVMPIPE || driver == VK_DRIVER_ID_GOOGLE_SWIFTSHADER;
+}
+
 void readLimits(VkPhysicalDevice device, DeviceFacts& facts) {
   VkPhysicalDeviceMaintenance3Properties maintenance3{};
   maintenance3.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES;
+  VkPhysicalDeviceDriverProperties driver{};
+  driver.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES;
+  driver.pNext = &maintenance3;
   VkPhysicalDeviceProperties2 properties{};
   properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
-  properties.pNext = &maintenance3;
+  properties.pNext = &driver;
   vkGetPhysicalDeviceProperties2(device, &properties);
   const VkPhysicalDeviceLimits& given = properties.properties.limits;
   std::copy(std::begin(given.maxComputeWorkGroupCount), std::end(given.maxComputeWorkGroupCount),
@@ -28,6 +36,7 @@ void readLimits(VkPhysicalDevice device, DeviceFacts& facts) {
   limits.maxStorageBufferRange = given.maxStorageBufferRange;
   limits.maxTexelBufferElements = given.maxTexelBufferElements;
   limits.hasLargeTexelBuffers = hasLargeTexelBuffers(given);
+  limits.roundsDivision = roundsDivision(driver.driverID);
   limits.maxAllocation = maintenance3.maxMemoryAllocationSize;
   limits.maxWorkgroupCountX = given.maxComputeWorkGroupCount[0];
   limits.maxWorkgroupSize = std::min(given.maxComputeWorkGroupSize[0], given.maxComputeWorkGroupInvocations);

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "gpu/kernel_impl.h"
+#include "gpu/rounded_division.h"
 #include "gpu/storage_texels.h"
 #include "gpu/vulkan_error.h"
 #include "shared/features.h"
@@ -156,6 +157,7 @@ void Kernel::compile() const {
     Device& device = *impl_->device;
     std::span<const std::uint32_t> module = moduleFor(*impl_->code, impl_->constants);
     std::vector<std::uint32_t> rewritten;
+    if (!device.limits().roundsDivision) module = rewritten = roundedDivision(module);
     if (!device.limits().hasLargeTexelBuffers) module = rewritten = storageTexels(module, impl_->code->buffers);
     const ShaderModuleHandle shader = createModule(device, label_, module);
     impl_->pipeline = createPipeline(device, label_, shader.get(), impl_->pipelineLayout.get(), impl_->constants);

@@ -8,7 +8,7 @@ namespace importon::gpu {
 
 std::vector<std::uint32_t> declaredConstants(std::span<const std::uint32_t> spirv) {
   std::vector<std::uint32_t> ids;
-  (void)forEachInstruction(spirv, [&ids](SpirvInstruction i) {
+  forEachInstruction(spirv, [&ids](SpirvInstruction i) {
     if (operationOf(i) == SpvOpDecorate && i.size() == 4 && i[2] == SpvDecorationSpecId) ids.push_back(i[3]);
   });
   std::ranges::sort(ids);

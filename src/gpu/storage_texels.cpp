@@ -1,7 +1,6 @@
 #include "gpu/storage_texels.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -15,21 +14,6 @@ namespace {
 using Id = std::uint32_t;
 using Words = std::vector<std::uint32_t>;
 using Instruction = SpirvInstruction;
-
-constexpr std::size_t kHeaderWords = 5;
-constexpr std::size_t kBoundWord = 3;  // above all ids [SPIR-V 1.5, 2.3]
-
-template <class Function>
-void forEach(std::span<const std::uint32_t> module, Function&& function) {
-  if (!forEachInstruction(module, function)) throw std::logic_error("an instruction ends beyond its module");
-}
-
-void append(Words& words, SpvOp operation, std::initializer_list<std::uint32_t> operands) {
-  words.push_back(static_cast<std::uint32_t>(operands.size() + 1) << SpvWordCountShift | operation);
-  words.insert(words.end(), operands);
-}
-
-bool isType(SpvOp operation) { return operation >= SpvOpTypeVoid && operation <= SpvOpTypeForwardPointer; }
 
 /// Items of a storage buffer: `words` of type `scalar`.
 struct Item {
@@ -46,8 +30,8 @@ struct ItemTypes {
 class Rewriter {
  public:
   Rewriter(std::span<const std::uint32_t> module, std::span<const KernelBuffer> buffers)
-      : module_(module), bound_(module[kBoundWord]) {
-    forEach(module, [this](Instruction i) { read(i); });
+      : module_(module), bound_(module[kSpirvBoundWord]) {
+    forEachInstruction(module, [this](Instruction i) { read(i); });
     if (variables_.empty()) return;
     for (const auto& [variable, scalar] : variables_) itemOf_[variable] = {scalar, texelWords(buffers, variable)};
     for (const auto& [variable, item] : itemOf_) types_.try_emplace(item, ItemTypes{});
@@ -59,14 +43,14 @@ class Rewriter {
 
   Words rewritten() {
     if (variables_.empty()) return {module_.begin(), module_.end()};
-    Words result(module_.begin(), module_.begin() + kHeaderWords);
+    Words result(module_.begin(), module_.begin() + kSpirvHeaderWords);
     bool isDecorated = false, isDeclared = false;
-    forEach(module_, [&](Instruction i) {
-      if (isType(operationOf(i)) && !std::exchange(isDecorated, true)) decorate(result);
+    forEachInstruction(module_, [&](Instruction i) {
+      if (declaresType(operationOf(i)) && !std::exchange(isDecorated, true)) decorate(result);
       if (operationOf(i) == SpvOpFunction && !std::exchange(isDeclared, true)) declare(result);
       write(result, i);
     });
-    result[kBoundWord] = bound_;
+    result[kSpirvBoundWord] = bound_;
     return result;
   }
 
@@ -114,31 +98,31 @@ class Rewriter {
     Id& vector = vectors_[{item.scalar, item.words}];
     if (vector == 0) {
       vector = bound_++;
-      append(newVectors_, SpvOpTypeVector, {vector, item.scalar, item.words});
+      appendInstruction(newVectors_, SpvOpTypeVector, {vector, item.scalar, item.words});
     }
     return vector;
   }
 
   void decorate(Words& to) const {
     for (const auto& [item, types] : types_) {
-      append(to, SpvOpDecorate, {types.array, SpvDecorationArrayStride, 4 * item.words});
-      append(to, SpvOpDecorate, {types.block, SpvDecorationBlock});
-      append(to, SpvOpMemberDecorate, {types.block, 0, SpvDecorationOffset, 0});
-      append(to, SpvOpMemberDecorate, {types.block, 0, SpvDecorationNonWritable});
+      appendInstruction(to, SpvOpDecorate, {types.array, SpvDecorationArrayStride, 4 * item.words});
+      appendInstruction(to, SpvOpDecorate, {types.block, SpvDecorationBlock});
+      appendInstruction(to, SpvOpMemberDecorate, {types.block, 0, SpvDecorationOffset, 0});
+      appendInstruction(to, SpvOpMemberDecorate, {types.block, 0, SpvDecorationNonWritable});
     }
   }
 
   void declare(Words& to) const {
     to.insert(to.end(), newVectors_.begin(), newVectors_.end());
-    append(to, SpvOpConstant, {uint_, zero_, 0});
+    appendInstruction(to, SpvOpConstant, {uint_, zero_, 0});
     for (const auto& [item, types] : types_) {
-      append(to, SpvOpTypeRuntimeArray, {types.array, types.item});
-      append(to, SpvOpTypeStruct, {types.block, types.array});
-      append(to, SpvOpTypePointer, {types.blockPointer, SpvStorageClassStorageBuffer, types.block});
-      append(to, SpvOpTypePointer, {types.itemPointer, SpvStorageClassStorageBuffer, types.item});
+      appendInstruction(to, SpvOpTypeRuntimeArray, {types.array, types.item});
+      appendInstruction(to, SpvOpTypeStruct, {types.block, types.array});
+      appendInstruction(to, SpvOpTypePointer, {types.blockPointer, SpvStorageClassStorageBuffer, types.block});
+      appendInstruction(to, SpvOpTypePointer, {types.itemPointer, SpvStorageClassStorageBuffer, types.item});
     }
     for (const auto& [variable, item] : itemOf_)
-      append(to, SpvOpVariable, {types_.at(item).blockPointer, variable, SpvStorageClassStorageBuffer});
+      appendInstruction(to, SpvOpVariable, {types_.at(item).blockPointer, variable, SpvStorageClassStorageBuffer});
   }
 
   /// The instruction, unless it is of a texel buffer: then what stands in its place, if anything.
@@ -152,7 +136,7 @@ class Rewriter {
       images_[i[2]] = loaded == images_.end() ? i[3] : loaded->second;
       return;
     }
-    const bool declares = ofTexels && (isType(operation) || operation == SpvOpVariable || operation == SpvOpName);
+    const bool declares = ofTexels && (declaresType(operation) || operation == SpvOpVariable || operation == SpvOpName);
     const bool asks = operation == SpvOpCapability && i[1] == SpvCapabilitySampledBuffer;
     if (!declares && !asks) to.insert(to.end(), i.begin(), i.end());
   }
@@ -163,16 +147,16 @@ class Rewriter {
     const auto& [scalar, words] = itemOf_.at(variable);
     const ItemTypes& types = types_.at({scalar, words});
     const Id pointer = bound_++, item = words == 4 ? texel : bound_++;
-    append(to, SpvOpAccessChain, {types.itemPointer, pointer, variable, zero_, index});
-    append(to, SpvOpLoad, {types.item, item, pointer});
-    if (words == 1) append(to, SpvOpCompositeConstruct, {i[1], texel, item, item, item, item});
-    if (words == 2) append(to, SpvOpCompositeConstruct, {i[1], texel, item, item});
+    appendInstruction(to, SpvOpAccessChain, {types.itemPointer, pointer, variable, zero_, index});
+    appendInstruction(to, SpvOpLoad, {types.item, item, pointer});
+    if (words == 1) appendInstruction(to, SpvOpCompositeConstruct, {i[1], texel, item, item, item, item});
+    if (words == 2) appendInstruction(to, SpvOpCompositeConstruct, {i[1], texel, item, item});
   }
 
   void count(Words& to, Instruction i) {
     const Id length = bound_++;
-    append(to, SpvOpArrayLength, {uint_, length, images_.at(i[3]), 0});
-    append(to, SpvOpBitcast, {i[1], i[2], length});
+    appendInstruction(to, SpvOpArrayLength, {uint_, length, images_.at(i[3]), 0});
+    appendInstruction(to, SpvOpBitcast, {i[1], i[2], length});
   }
 
   std::span<const std::uint32_t> module_;

@@ -5,6 +5,7 @@
 #include "lib/dispatch.glsl"
 #include "lib/hash.glsl"
 #include "lib/offset.glsl"
+#include "shared/elementary.h"
 #include "shared/scene_data.h"
 
 struct Corners {
@@ -29,7 +30,7 @@ bool acceptHit(uint stored, uint number, vec2 barycentrics, uint rayId) { return
 vec3 randomDirection(uint walker, uint bounce) {
   const uint a = hashCombine(walker, bounce);
   const float z = 2.0 * unitFloat(a) - 1.0, phi = 6.2831853 * unitFloat(hash(a)), r = sqrt(max(0.0, 1.0 - z * z));
-  return vec3(r * cos(phi), r * sin(phi), z);
+  return vec3(r * portableCosSin(phi), z);
 }
 
 void main() {

@@ -141,9 +141,12 @@ VKAPI_ATTR void VKAPI_CALL getProperties(VkPhysicalDevice physical, VkPhysicalDe
 VKAPI_ATTR void VKAPI_CALL getProperties2(VkPhysicalDevice physical, VkPhysicalDeviceProperties2* properties) {
   nextProperties2(physical, properties);
   importon::test::lowerLimits(properties->properties.limits);
-  for (auto* at = static_cast<VkBaseOutStructure*>(properties->pNext); at != nullptr; at = at->pNext)
+  for (auto* at = static_cast<VkBaseOutStructure*>(properties->pNext); at != nullptr; at = at->pNext) {
     if (at->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES)
       importon::test::lowerLimits(*reinterpret_cast<VkPhysicalDeviceMaintenance3Properties*>(at));
+    if (at->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES)
+      importon::test::lowerLimits(*reinterpret_cast<VkPhysicalDeviceDriverProperties*>(at));
+  }
 }
 
 VKAPI_ATTR void VKAPI_CALL getQueueFamilies(VkPhysicalDevice physical, std::uint32_t* count,

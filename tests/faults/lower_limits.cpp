@@ -12,7 +12,7 @@ bool isLow(const std::string& name) {
   const char* const text = std::getenv("IMPORTON_TEST_LIMITS");
   std::istringstream names(text == nullptr ? "" : text);
   for (std::string each; std::getline(names, each, ',');)
-    if (each == name || (each == "all" && name != "descriptors")) return true;
+    if (each == name || (each == "all" && name != "descriptors" && name != "driver")) return true;
   return false;
 }
 
@@ -56,6 +56,10 @@ void lowerLimits(VkPhysicalDeviceLimits& limits) {
 void lowerLimits(VkPhysicalDeviceMaintenance3Properties& properties) {
   if (isLow("allocations")) lower(properties.maxMemoryAllocationSize, 1u << 30);
   if (isLow("descriptors")) lower(properties.maxPerSetDescriptors, 1024);
+}
+
+void lowerLimits(VkPhysicalDeviceDriverProperties& properties) {
+  if (isLow("driver")) properties.driverID = VK_DRIVER_ID_MAX_ENUM;
 }
 
 void lowerLimits(VkQueueFamilyProperties& family) {

@@ -81,7 +81,7 @@ Surface surfaceOf(Query q) {
   s.sheenColor = q.sheenColor;
   s.sheenAlpha = q.sheenAlpha;
   s.alphas = vec2(mix(q.alpha, 1.0, q.stretch.x), q.alpha);
-  s.tangent = vec3(cos(q.stretch.y), sin(q.stretch.y), 0.0);
+  s.tangent = vec3(portableCosSin(q.stretch.y), 0.0);
   s.iridescence = q.iridescence;
   s.filmIor = q.filmIor;
   s.filmThickness = q.filmThickness;

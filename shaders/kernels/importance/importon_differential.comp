@@ -9,6 +9,7 @@
 #include "lib/path.glsl"
 #include "lib/differential.glsl"
 #include "lib/sampled_spread.glsl"
+#include "shared/elementary.h"
 
 layout(scalar) buffer PathDifferentialsBlock { PathDifferential differentials[]; };
 layout(scalar) writeonly buffer FootprintsBlock { float footprints[]; };
@@ -20,8 +21,8 @@ const float kLeastStep = 9.5367431640625e-7;  // 2^-20 of the scene: no footprin
 
 /// Logarithm of what a smooth surface sends on where light meets it at this cosine.
 float logSpecular(Bsdf b, DrawnLobe lobe, float cosine) {
-  if (lobe.isCoat) return log(fresnelSchlick(vec3(kCoatF0), 1.0, cosine).x);
-  return log(max(lobe.isTransmission ? 1.0 - mean(clearFresnel(b, cosine)) : mean(bsdfFresnel(b, cosine)), 1e-6));
+  if (lobe.isCoat) return portableLog(fresnelSchlick(vec3(kCoatF0), 1.0, cosine).x);
+  return portableLog(max(lobe.isTransmission ? 1.0 - mean(clearFresnel(b, cosine)) : mean(bsdfFresnel(b, cosine)), 1e-6));
 }
 
 void bend(inout PathDifferential d, Surface s, NormalField field, Bsdf b, vec3 wo, vec3 direction, float uLobe,

@@ -7,6 +7,7 @@
 #include "bindings/importance.glsl"
 #include "bindings/selection.glsl"
 #include "bindings/stored.glsl"
+#include "shared/elementary.h"
 
 layout(scalar) readonly buffer OrderBlock { uint batchOrder[]; };
 layout(scalar) buffer NeighboursBlock { uint neighbours[]; };
@@ -37,7 +38,7 @@ float chance(uint i) {
 bool isAccepted(uint count, float quota, uint i) {
   if (count <= push.fewest) return true;
   if (push.acceptance == kAcceptStep) return float(count) < quota;
-  return chance(i) < 0.5 + 0.5 * cos(kPi * min(float(count) / quota, 1.0));
+  return chance(i) < 0.5 + 0.5 * portableCos(kPi * min(float(count) / quota, 1.0));
 }
 
 void main() {

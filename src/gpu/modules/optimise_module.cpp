@@ -28,6 +28,7 @@
 #include "base/hash.h"
 #include "gpu/modules/close_loops.h"
 #include "gpu/modules/flatten_branches.h"
+#include "gpu/modules/portable_arithmetic.h"
 #include "shared/features.h"
 
 namespace {
@@ -128,6 +129,12 @@ Words optimised(const Words& module, const std::vector<std::string>& passes) {
   return result;
 }
 
+Words portable(const Words& module) {
+  importon::gpu::ModuleBlocks blocks = importon::gpu::blocksOf(module);
+  importon::gpu::makePortable(blocks);
+  return blocks.words();
+}
+
 /// Made such that it runs right, and is compiled soon, where lanes go through it together.
 Words forLanes(const Words& module) {
   importon::gpu::ModuleBlocks blocks = importon::gpu::blocksOf(module);
@@ -141,7 +148,7 @@ using Modules = std::array<Words, 3>;
 
 /// The passes that do not look at constants take longest, and are alike for all three.
 Modules optimisedAll(const Words& module) {
-  const Words open = optimised(module, kOpen);
+  const Words open = portable(optimised(module, kOpen));
   Modules modules{open, withoutRare(open, Instances::left), withoutRare(open, Instances::taken)};
   for (Words& each : modules)
     if (!each.empty()) each = validated(forLanes(optimised(each, kClosed)));

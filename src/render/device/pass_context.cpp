@@ -90,7 +90,7 @@ float PassContext::meanImportance() const {
 
 void PassContext::setPass(int pass, const PassSums& before) {
   parameters.pass = static_cast<uint>(pass);
-  parameters.densityScale = std::cbrt(static_cast<float>(pass + 1));  // r² shrinks as its inverse
+  parameters.densityScale = static_cast<float>(std::cbrt(pass + 1.0));  // r² shrinks as its inverse
   parameters.firstSample = wordsOf(before.evenSamples + before.oddSamples);
   for (const MapKind kind : kMapKinds)
     setPhotons(parameters.*traitsOf(kind).settings, now.photonsFor(kind), before.of(kind),

@@ -7,9 +7,12 @@
 #include <numeric>
 
 #include "scene/packing.h"
+#include "shared/elementary.h"
 
 namespace importon {
 namespace {
+
+using namespace elementary;
 
 constexpr uint kTreeLeaf = 0x80000000u;
 constexpr float kFloatPi = 3.14159265f;
@@ -18,9 +21,9 @@ float floatMeanOf(const vec3& color) { return (color.x + color.y + color.z) / 3.
 
 /// A cone around both. [Conty Estevez and Kulla 2018, listing 1]
 void mergeCones(LightBounds& a, const LightBounds& b) {
-  const float angleA = std::acos(std::clamp(a.cosCone, -1.0f, 1.0f)),
-              angleB = std::acos(std::clamp(b.cosCone, -1.0f, 1.0f));
-  const float between = std::acos(std::clamp(glm::dot(a.axis, b.axis), -1.0f, 1.0f));
+  const float angleA = portableAcos(std::clamp(a.cosCone, -1.0f, 1.0f)),
+              angleB = portableAcos(std::clamp(b.cosCone, -1.0f, 1.0f));
+  const float between = portableAcos(std::clamp(glm::dot(a.axis, b.axis), -1.0f, 1.0f));
   if (between + angleB <= angleA) return;
   if (between + angleA <= angleB) {
     a.axis = b.axis;
@@ -34,8 +37,8 @@ void mergeCones(LightBounds& a, const LightBounds& b) {
     return;
   }
   const float turn = angle - angleA;
-  a.axis = glm::normalize(std::cos(turn) * a.axis + std::sin(turn) * glm::normalize(across));
-  a.cosCone = std::cos(angle);
+  a.axis = glm::normalize(portableCos(turn) * a.axis + portableSin(turn) * glm::normalize(across));
+  a.cosCone = portableCos(angle);
 }
 
 LightBounds merge(LightBounds a, const LightBounds& b) {
@@ -124,7 +127,8 @@ class Builder {
     const vec3 centre = 0.5f * b.low + 0.5f * b.high;
     const float radius = b.isInfinite ? std::numeric_limits<float>::infinity() : 0.5f * glm::length(b.high - b.low);
     // The axis is rounded when packed: by less than this.
-    const float cosCone = std::cos(std::min(std::acos(std::clamp(b.cosCone, -1.0f, 1.0f)) + 1e-3f, kFloatPi));
+    const float cosCone =
+        portableCos(std::min(portableAcos(std::clamp(b.cosCone, -1.0f, 1.0f)) + 1e-3f, kFloatPi));
     texels.emplace_back(std::bit_cast<uint>(centre.x), std::bit_cast<uint>(centre.y), std::bit_cast<uint>(centre.z),
                         std::bit_cast<uint>(radius));
     texels.emplace_back(std::bit_cast<uint>(b.power), packNormal(b.axis), std::bit_cast<uint>(cosCone), node.content);

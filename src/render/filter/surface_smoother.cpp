@@ -89,21 +89,21 @@ IMPORTON_VECTORS void addRow(const float* weights, const float* from, int count,
 
 /// Details that are independent in the mean over three levels where all pixels are alike: the area of its Gaussian over
 /// that of a detail's autocorrelation.
-constexpr float kAllDetails = 43;
+constexpr double kAllDetails = 43;
 
 /// By the bits of like neighbours, how many times more of them a level adds to a mean. Where none are alike it adds
 /// none; along a line it adds the root of what it adds on a surface.
 std::array<float, 256> makeDetailFactors() {
   std::array<float, 256> factors;
   const auto squares = [](unsigned bits) {  // sum of squared weights along an axis
-    float sum = kMiddle, square = kMiddle * kMiddle;
+    double sum = kMiddle, square = kMiddle * kMiddle;
     for (std::size_t k = 0; k < kWeights.size(); ++k)
       if ((bits >> k & 1u) != 0) sum += kWeights[k], square += kWeights[k] * kWeights[k];
     return square / (sum * sum);
   };
-  const float power = std::log(kAllDetails) / (6 * std::log(squares(15)));
+  const double power = std::log(kAllDetails) / (6 * std::log(squares(15)));
   for (unsigned bits = 0; bits < factors.size(); ++bits)
-    factors[bits] = std::pow(squares(bits & 15u) * squares(bits >> 4), power);
+    factors[bits] = static_cast<float>(std::pow(squares(bits & 15u) * squares(bits >> 4), power));
   return factors;
 }
 

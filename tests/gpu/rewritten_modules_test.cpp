@@ -1,6 +1,6 @@
-// Modules whose texel buffers are read as storage buffers: valid, and without anything of texel buffers. That they
-// compute the same bits is a test of whole renders (DeviceLimits).
-#include "gpu/storage_texels.h"
+// Modules that are rewritten for a device, whose texel buffers are read as storage buffers, and whose quotients and
+// roots are rounded: valid, and without anything that such a device lacks. That they compute the same bits is a test of
+// whole renders (DeviceLimits).
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,8 @@
 #include <spirv-tools/libspirv.hpp>
 #include <stdexcept>
 
+#include "gpu/rounded_division.h"
+#include "gpu/storage_texels.h"
 #include "kernels/registry.h"
 #include "test_kernels/registry.h"
 
@@ -53,6 +55,17 @@ TEST(StorageTexels, AModuleWithoutTexelBuffersStaysAsItIs) {
 
 TEST(StorageTexels, ATexelBufferThatIsNotDescribedIsAnError) {
   EXPECT_THROW((void)storageTexels(test_kernels::code("texels").spirv(), {}), std::logic_error);
+}
+
+TEST(RoundedDivision, EveryKernelIsValidAndDividesInTheFunctionsAlone) {
+  std::size_t quotients = 0;
+  for (const KernelCode* code : kernels::all()) {
+    const Words rewritten = roundedDivision(code->spirv());
+    EXPECT_TRUE(isValid(rewritten)) << code->name;
+    EXPECT_EQ(countOf(rewritten, spv::OpFDiv), 2u) << code->name;  // one of significands, one of what is not normal
+    quotients += countOf(code->spirv(), spv::OpFDiv);
+  }
+  EXPECT_GT(quotients, 500u);
 }
 
 }  // namespace
