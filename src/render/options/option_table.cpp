@@ -280,7 +280,7 @@ Rows runOptions() {
       text(
           Group::machine, "--device", "NAME", &RenderJob::device,
           "Vulkan device, by name or index, see `importon devices`\n(default: the first discrete GPU, else integrated, "
-          "else a CPU)")
+          "else a CPU);\nA,B or all, all of that kind: passes shared out")
           .everyday(),
       number(Group::machine, "--threads", "N", &RenderJob::threads, wholeNumber(1, kMostThreads, "threads"),
              "host threads (default: all)")
