@@ -132,8 +132,9 @@ std::vector<CheckpointBlock> Team::blocks() {
 }
 
 void Team::estimate(const Elapsed& elapsed) {
+  sharePasses();
   const auto wants = [](const auto& member) { return member->rule->wantsEstimate(member->passes); };
-  if (std::ranges::none_of(members_, wants)) return;
+  if (!areLevel() || std::ranges::none_of(members_, wants)) return;
   const double start = elapsed();
   FilmSums film;
   const double error = resolve(film).estimatedError;
@@ -147,7 +148,13 @@ bool Team::renderRound(const Elapsed& elapsed, const std::atomic<bool>& isInterr
   if (job_.seconds && devices > 1)
     for (const auto& member : members_) end = std::max(end, elapsed() + kPassesOfRound * member->rule->passSeconds());
   std::atomic<int> made = 0;
-  onEach([&](Member& member) { made += member.render(elapsed, end, isInterrupted); });
+  const bool areAllToRender = areLevel();
+  std::vector<const Member*> waiting;
+  for (const auto& member : members_)
+    if (!areAllToRender && !isBehind(*member)) waiting.push_back(member.get());
+  onEach([&](Member& member) {
+    if (std::ranges::find(waiting, &member) == waiting.end()) made += member.render(elapsed, end, isInterrupted);
+  });
   return made > 0 || members_.size() < devices;
 }
 
@@ -160,7 +167,20 @@ void Team::sharePasses() {
   std::vector<int> done;
   for (const auto& member : members_) done.push_back(member->passes);
   const std::vector<int> shares = importon::sharePasses(maxPasses_, done, job_.seconds.has_value());
-  for (std::size_t i = 0; i < members_.size(); ++i) members_[i]->rule->setMaxPasses(shares[i]);
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    members_[i]->share = shares[i];
+    members_[i]->rule->setMaxPasses(shares[i]);
+  }
+}
+
+/// Of those that keep step, as they do without a time budget: after an interrupt, one may have made a pass less.
+bool Team::isBehind(const Member& member) const {
+  if (job_.seconds || member.passes == member.share) return false;
+  return std::ranges::any_of(members_, [&](const auto& other) { return other->passes > member.passes; });
+}
+
+bool Team::areLevel() const {
+  return std::ranges::none_of(members_, [this](const auto& member) { return isBehind(*member); });
 }
 
 double Team::secondsLeft(double elapsed) const {
@@ -276,7 +296,8 @@ void Team::dropFailed(std::span<const std::exception_ptr> errors) {
       if (--left == 0) throw;
       const Member& lost = *members_[i];
       log_.warn("failure of device " + lost.job.device,
-                fmt::format("{}; its {} passes are left out, and the other devices go on", error.what(), lost.passes));
+                fmt::format("{} (device {}): what it made is left out (passes: {}), and the other devices go on",
+                            error.problem(), lost.job.device, lost.passes));
       members_[i].reset();
     }
   }

@@ -20,6 +20,7 @@ struct Member {
   std::unique_ptr<Renderer> renderer{};  // null: not open yet
   std::optional<StopRule> rule{};
   int passes = 0;
+  int share = 0;  // of the passes of the job: as many it makes in all
 
   /// Makes a pass, and further ones that can be expected to be done by `end`, as far as the rule has any. How many.
   int render(const Elapsed& elapsed, double end, const std::atomic<bool>& isInterrupted);
@@ -70,6 +71,8 @@ class Team {
   [[nodiscard]] FilmLayers resolve(FilmSums& film);
   [[nodiscard]] Image imageWithLayers(const FilmLayers& layers);
   void sharePasses();
+  [[nodiscard]] bool isBehind(const Member& member) const;
+  [[nodiscard]] bool areLevel() const;
 
   const RenderJob& job_;
   Log& log_;

@@ -279,8 +279,8 @@ Rows runOptions() {
           .everyday(),
       text(
           Group::machine, "--device", "NAME", &RenderJob::device,
-          "Vulkan device, by name or index, see `importon devices`\n(default: the first discrete GPU, else integrated, "
-          "else a CPU);\nA,B or all, all of that kind: passes shared out")
+          "Vulkan device, by name or index, or several: A,B or all\n(default: the first discrete GPU, else integrated, "
+          "else a CPU)")
           .everyday(),
       number(Group::machine, "--threads", "N", &RenderJob::threads, wholeNumber(1, kMostThreads, "threads"),
              "host threads (default: all)")
