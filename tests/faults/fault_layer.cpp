@@ -28,7 +28,7 @@ struct Fault {
 };
 
 const Fault& fault() {
-  static const Fault read = [] {
+  static const Fault kRead = [] {
     const char* const text = std::getenv("IMPORTON_TEST_FAULT");
     std::istringstream words(text == nullptr ? "none 0" : text);
     Fault fault;
@@ -37,7 +37,7 @@ const Fault& fault() {
     if (words >> device) fault.device = device;
     return fault;
   }();
-  return read;
+  return kRead;
 }
 
 /// Of an instance; physical devices lead to it. Asked for later, the loader names this layer's own functions.
@@ -203,7 +203,7 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceProc(VkDevice of, const char* nam
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL instanceProc(VkInstance of, const char* name);
 
 PFN_vkVoidFunction ownProc(const char* name) {
-  static const std::map<std::string, PFN_vkVoidFunction> functions = {
+  static const std::map<std::string, PFN_vkVoidFunction> kFunctions = {
       {"vkCreateInstance", reinterpret_cast<PFN_vkVoidFunction>(createInstance)},
       {"vkCreateDevice", reinterpret_cast<PFN_vkVoidFunction>(createDevice)},
       {"vkDestroyDevice", reinterpret_cast<PFN_vkVoidFunction>(destroyDevice)},
@@ -217,8 +217,8 @@ PFN_vkVoidFunction ownProc(const char* name) {
       {"vkGetDeviceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(deviceProc)},
       {"vkGetInstanceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(instanceProc)},
   };
-  const auto found = functions.find(name);
-  return found == functions.end() ? nullptr : found->second;
+  const auto found = kFunctions.find(name);
+  return found == kFunctions.end() ? nullptr : found->second;
 }
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceProc(VkDevice of, const char* name) {
