@@ -172,6 +172,12 @@ TEST_F(SeveralDevices, StandInTheStatistics) {
   EXPECT_EQ(stats()["scene"], all["scene"]);
 }
 
+/// A pass on each makes both halves, of which the error is estimated.
+TEST_F(SeveralDevices, MakeBothHalvesInAPassEach) {
+  (void)render({"--passes", "2", "--device", "all", "--stats", statsFile()});
+  EXPECT_TRUE(stats()["error"].contains("estimated")) << stats()["error"];
+}
+
 TEST_F(SeveralDevices, StopTogetherAtTheErrorOfTheirImage) {
   (void)render({"--error", "0.2", "--device", "all", "--stats", statsFile()});
   const nlohmann::json all = stats();
@@ -250,6 +256,17 @@ TEST_F(SeveralDevices, LeaveOutTheFirstIfItIsLost) {
   const Image image = render({"--passes", "6", "--device", "all"}, "lost 60 0");
   EXPECT_EQ(image.attributes, alone.attributes);
   EXPECT_LT(differenceOf(image, alone, "R"), 1e-6);  // its halves have changed places
+}
+
+/// One that was lost begins anew when the render goes on, and catches up before the error is estimated again.
+TEST_F(SeveralDevices, GoOnWithOneThatWasLost) {
+  const Image whole = render({"--passes", "8", "--device", "all"});
+  const std::string state = folder_ / "o.state";
+  (void)render({"--passes", "4", "--device", "all", "--checkpoint", state}, "lost 45 1");
+  EXPECT_NE(err_.find("the device was lost"), std::string::npos) << err_;
+  EXPECT_TRUE(haveSameValues(render({"--passes", "8", "--device", "all", "--resume", state}), whole));
+  (void)render({"--error", "0.1", "--device", "all", "--resume", state, "--stats", statsFile()});
+  EXPECT_EQ(stats()["devices"][0]["passes"], stats()["devices"][1]["passes"]);
 }
 
 TEST_F(SeveralDevices, AreAnErrorIfAllAreLost) {
