@@ -50,7 +50,9 @@ SHARED_FUNCTION float portableSin(float x) { return portableCosSin(x).y; }
 /// exp(r) 2^k for |r| <= 0.35, k in -124 .. 128.
 SHARED_FUNCTION float scaledExp(float r, float k) {
   const float p = ((((1.9875691500e-4f * r + 1.3981999507e-3f) * r + 8.3334519073e-3f) * r + 4.1665795894e-2f) * r +
-                   1.6666665459e-1f) * r + 5.0000001201e-1f;
+                   1.6666665459e-1f) *
+                      r +
+                  5.0000001201e-1f;
   return (p * r * r + r + 1.0f) * powerOfTwo(int(k) - 1) * 2.0f;
 }
 

@@ -23,9 +23,10 @@ ExitStatus runDevices() {
   std::string text;
   for (std::size_t i = 0; i < devices.size(); ++i) {
     const gpu::DeviceInfo& device = devices[i];
-    text += fmt::format("{} {}: {} ({}, {}, Vulkan {}){}\n", device.isDefault ? '*' : ' ', i, device.name, device.type,
-                        device.driver, versionText(device.apiVersion),
-                        device.missing.empty() ? "" : " cannot be used, it lacks: " + device.missing);
+    text += fmt::format("{} {}: {} ({}, {}, Vulkan {}){}{}\n", device.isDefault ? '*' : ' ', i, device.name,
+                        device.type, device.driver, versionText(device.apiVersion),
+                        device.missing.empty() ? "" : " cannot be used, it lacks: " + device.missing,
+                        device.isTwin ? " also above, by another driver" : "");
   }
   std::fputs(text.c_str(), stdout);
   return ExitStatus::ok;

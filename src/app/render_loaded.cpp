@@ -33,9 +33,11 @@ void addAttributes(const RenderJob& job, const Scene& scene, RenderResult& resul
   attributes["importon:version"] = IMPORTON_VERSION;
   attributes["importon:scene"] = job.scene.filename().string();
   attributes["importon:job"] = fmt::format("{:016x}", imageFingerprint(job, scene));
-  attributes["importon:seed"] = std::to_string(job.seed);
+  attributes["importon:seed"] = fmt::format("{}", fmt::join(result.seeds, " "));
   attributes["importon:passes"] = std::to_string(result.stats.passes);
-  attributes["importon:device"] = result.stats.deviceName;
+  std::vector<std::string> names;
+  for (const DeviceStats& device : result.stats.devices) names.push_back(device.name);
+  attributes["importon:device"] = fmt::format("{}", fmt::join(names, " + "));
 }
 
 std::uint64_t peakHostBytes() {

@@ -33,6 +33,20 @@ Json errorJson(const ErrorStats& error) {
   return known;
 }
 
+Json devicesJson(const std::vector<DeviceStats>& devices) {
+  Json rows = Json::array();
+  for (const DeviceStats& device : devices) {
+    rows.push_back({{"name", device.name},
+                    {"driver", device.driver},
+                    {"type", device.type},
+                    {"seed", device.seed},
+                    {"passes", device.passes},
+                    {"photons_emitted", device.photonsEmitted},
+                    {"device_peak_bytes", device.peakBytes}});
+  }
+  return rows;
+}
+
 Json warningsJson(std::span<const Warning> warnings) {
   Json rows = Json::array();
   for (const Warning& warning : warnings) {
@@ -63,6 +77,7 @@ using Map = PhotonMapStats;
 constexpr StatRow kRows[] = {{"/device/name", of<&S::deviceName>},
                              {"/device/driver", of<&S::deviceDriver>},
                              {"/device/type", of<&S::deviceType>},
+                             {"/devices", [](const S& stats) { return devicesJson(stats.devices); }},
                              {"/scene/triangles", of<&S::triangles>},
                              {"/scene/lights", of<&S::lights>},
                              {"/scene/features", of<&S::features>},

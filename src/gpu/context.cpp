@@ -11,6 +11,7 @@ Context::~Context() = default;
 
 const DeviceInfo& Context::info() const { return impl_->device->info(); }
 const Limits& Context::limits() const { return impl_->device->limits(); }
+bool Context::isLost() const { return impl_->device->isLost(); }
 std::uint64_t Context::allocatedBytes() const { return impl_->device->allocatedBytes(); }
 std::uint64_t Context::peakBytes() const { return impl_->device->peakBytes(); }
 

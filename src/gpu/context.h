@@ -13,6 +13,8 @@ struct DeviceInfo {
   std::uint32_t apiVersion = 0;
   std::string missing;  // names of missing needed features; empty: usable
   bool isDefault = false;
+  std::string identity;  // the same for a device that several drivers show; empty: not known
+  bool isTwin = false;   // an earlier one that is usable has this identity, and nobody has chosen the drivers
 };
 
 /// What a design may depend on, as the device reports it.
@@ -30,7 +32,7 @@ struct Limits {
 };
 
 struct ContextOptions {
-  std::string device{};          // name (part of it, any case) or index; empty: the default
+  std::string device{};          // name (part of it, any case) or index, of one; empty: the default
   bool validation = false;       // validation layers with synchronization validation
   bool stagesTransfers = false;  // copy through staging memory even where buffers can be mapped (for tests)
 };
@@ -45,6 +47,8 @@ class Context {
 
   [[nodiscard]] const DeviceInfo& info() const;
   [[nodiscard]] const Limits& limits() const;
+  /// True once the device was found lost: nothing works on it any more.
+  [[nodiscard]] bool isLost() const;
   /// Bytes of device memory now allocated through this context, and their peak.
   [[nodiscard]] std::uint64_t allocatedBytes() const;
   [[nodiscard]] std::uint64_t peakBytes() const;

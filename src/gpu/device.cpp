@@ -59,16 +59,21 @@ void Device::open(VkPhysicalDevice physical) {
 }
 
 VkResult Device::submitAndWait(VkCommandBuffer commands, VkFence fence) {
+  VkResult result = submit(commands, fence);
+  if (result == VK_SUCCESS)
+    result = vkWaitForFences(device_, 1, &fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
+  if (result == VK_ERROR_DEVICE_LOST) isLost_ = true;
+  return result;
+}
+
+VkResult Device::submit(VkCommandBuffer commands, VkFence fence) {
   VkSubmitInfo submit{};
   submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
   submit.commandBufferCount = 1;
   submit.pCommandBuffers = &commands;
   if (const VkResult result = vkResetFences(device_, 1, &fence); result != VK_SUCCESS) return result;
-  {
-    const std::lock_guard lock(queueMutex_);
-    if (const VkResult result = vkQueueSubmit(queue_, 1, &submit, fence); result != VK_SUCCESS) return result;
-  }
-  return vkWaitForFences(device_, 1, &fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
+  const std::lock_guard lock(queueMutex_);
+  return vkQueueSubmit(queue_, 1, &submit, fence);
 }
 
 void Device::countAllocation(std::uint64_t bytes) {

@@ -35,6 +35,8 @@ class Device {
 
   /// Submits and waits; serialised, since a queue takes one thread at a time.
   [[nodiscard]] VkResult submitAndWait(VkCommandBuffer commands, VkFence fence);
+  /// True once a submission has found the device lost.
+  [[nodiscard]] bool isLost() const { return isLost_; }
 
   void countAllocation(std::uint64_t bytes);
   void countRelease(std::uint64_t bytes);
@@ -52,6 +54,7 @@ class Device {
  private:
   void open(VkPhysicalDevice physical);
   void close();
+  [[nodiscard]] VkResult submit(VkCommandBuffer commands, VkFence fence);
 
   Instance instance_;
   DeviceFacts facts_;
@@ -61,6 +64,7 @@ class Device {
   std::mutex queueMutex_;
   std::mutex stagingMutex_;
   std::unique_ptr<Staging> staging_;
+  std::atomic<bool> isLost_ = false;
   std::atomic<std::uint64_t> allocatedBytes_ = 0;
   std::atomic<std::uint64_t> peakBytes_ = 0;
 };

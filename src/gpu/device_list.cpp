@@ -1,6 +1,8 @@
 #include "gpu/device_list.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <string_view>
 
 #include "base/error.h"
@@ -63,17 +65,55 @@ std::string missingFeatures(VkPhysicalDevice device, const VkPhysicalDevicePrope
   return missing;
 }
 
+bool hasExtension(VkPhysicalDevice device, std::string_view name) {
+  std::uint32_t count = 0;
+  if (vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr) != VK_SUCCESS) return false;
+  std::vector<VkExtensionProperties> all(count);
+  if (vkEnumerateDeviceExtensionProperties(device, nullptr, &count, all.data()) != VK_SUCCESS) return false;
+  return std::ranges::any_of(all,
+                             [&](const VkExtensionProperties& extension) { return extension.extensionName == name; });
+}
+
+/// Where it is plugged in, or else its UUID.
+std::string identityOf(VkPhysicalDevice device) {
+  VkPhysicalDevicePCIBusInfoPropertiesEXT place{};
+  place.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PCI_BUS_INFO_PROPERTIES_EXT;
+  VkPhysicalDeviceIDProperties own{};
+  own.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ID_PROPERTIES;
+  const bool isPlaced = hasExtension(device, VK_EXT_PCI_BUS_INFO_EXTENSION_NAME);
+  if (isPlaced) own.pNext = &place;
+  VkPhysicalDeviceProperties2 properties{};
+  properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+  properties.pNext = &own;
+  vkGetPhysicalDeviceProperties2(device, &properties);
+  std::string identity = isPlaced ? "PCI" : "UUID";
+  if (isPlaced) {
+    for (const std::uint32_t part : {place.pciDomain, place.pciBus, place.pciDevice, place.pciFunction})
+      identity.append(" ").append(std::to_string(part));
+  } else {
+    for (const std::uint8_t byte : own.deviceUUID) identity.append(" ").append(std::to_string(byte));
+  }
+  return identity;
+}
+
+/// Who names the drivers gets the devices that they have, each of them.
+bool areDriversChosen() {
+  return std::ranges::any_of(std::array{"VK_DRIVER_FILES", "VK_ICD_FILENAMES", "VK_ADD_DRIVER_FILES"},
+                             [](const char* name) { return std::getenv(name) != nullptr; });
+}
+
 DeviceInfo describe(VkPhysicalDevice device) {
   VkPhysicalDeviceDriverProperties driver{};
   driver.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES;
   VkPhysicalDeviceProperties2 properties{};
   properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
   vkGetPhysicalDeviceProperties2(device, &properties);
+  DeviceInfo info;
   if (properties.properties.apiVersion >= VK_API_VERSION_1_2) {
     properties.pNext = &driver;
     vkGetPhysicalDeviceProperties2(device, &properties);
+    info.identity = identityOf(device);
   }
-  DeviceInfo info;
   info.name = properties.properties.deviceName;
   info.driver = driver.driverName;
   if (driver.driverInfo[0] != '\0') info.driver += " " + std::string(driver.driverInfo);
@@ -108,6 +148,7 @@ std::vector<PhysicalDevice> physicalDevices(VkInstance instance) {
 
   std::vector<DeviceInfo> infos;
   for (VkPhysicalDevice handle : handles) infos.push_back(describe(handle));
+  if (!areDriversChosen()) markTwins(infos);
   if (const std::size_t best = defaultDevice(infos); best < infos.size()) infos[best].isDefault = true;
   std::vector<PhysicalDevice> devices;
   for (std::size_t i = 0; i < handles.size(); ++i) devices.push_back({handles[i], infos[i]});

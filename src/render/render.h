@@ -23,13 +23,14 @@ struct RenderProgress {
 struct RenderResult {
   Image image;
   RenderStats stats;
+  std::vector<std::uint32_t> seeds;  // of the passes in the image
   bool wasInterrupted = false;
   bool lacksCheckpoint = false;  // the last one could not be written
 };
 
-/// Renders until the job's limits are reached or `isInterrupted` turns true (asked between passes); then returns
-/// the image so far. `start` is when the process started: the job's seconds count from there, without those spent in
-/// `progress`. `sources` give it a device with kernels, and a tree. Throws DeviceError.
+/// Renders on the job's devices until the job's limits are reached or `isInterrupted` turns true (asked between
+/// passes); then returns the image so far. `start` is when the process started: the job's seconds count from there,
+/// without those spent in `progress`. `sources` give it a device with kernels, and a tree. Throws DeviceError.
 [[nodiscard]] RenderResult render(const RenderJob& job, const Scene& scene, Log& log,
                                   const std::atomic<bool>& isInterrupted,
                                   const std::function<void(const RenderProgress&)>& progress,

@@ -45,6 +45,17 @@ struct ErrorStats {
   std::optional<double> low = {}, high = {};  // 90 % band of the true error
 };
 
+/// What one of the devices of a render did.
+struct DeviceStats {
+  std::string name, driver, type;
+  std::uint32_t seed = 0;
+  int passes = 0;
+  std::uint64_t photonsEmitted = 0;
+  std::uint64_t peakBytes = 0;
+};
+
+/// Of a render on several devices: sums over them, of seconds in phases on devices the mean, and of device and name
+/// the first.
 struct RenderStats {
   std::string deviceName, deviceDriver, deviceType;
   std::uint64_t triangles = 0, lights = 0;
@@ -64,6 +75,7 @@ struct RenderStats {
   /// irradiance, expected density, surface cells. Not the lists that all phases share.
   std::uint64_t photonMapBytes = 0;
   ErrorStats error;
+  std::vector<DeviceStats> devices;  // that are left at the end
 };
 
 }  // namespace importon

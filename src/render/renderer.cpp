@@ -7,22 +7,10 @@
 #include "render/camera/aov_layers.h"
 #include "render/camera/lookup_trial.h"
 #include "render/film/aov_image.h"
-#include "render/film/error_estimate.h"
 #include "render/photons/pilots.h"
 #include "render/resume/job_fingerprint.h"
 
 namespace importon {
-namespace {
-
-Image imageOf(const FilmLayers& layers, const PassContext& context) {
-  Image image{static_cast<int>(context.parameters.width), static_cast<int>(context.parameters.height), {}, {}};
-  addColor(image, "", layers.total);
-  if (context.job.isTransparent) image.channels.push_back({"A", layers.coverage});
-  return image;
-}
-
-}  // namespace
-
 Renderer::Renderer(const RenderJob& job, const Scene& scene, Log& log, const RenderSources& sources)
     : context_(job, scene, log, stats_, sources),
       caustic_(context_, MapKind::caustic),
@@ -138,23 +126,20 @@ std::uint64_t Renderer::fingerprint() const {
   return hash.value();
 }
 
-FilmLayers Renderer::read() {
-  const Clock::time_point start = Clock::now();
-  FilmLayers layers = camera_.read(totals_.done());
-  stats_.seconds.resolve += secondsSince(start);
-  return layers;
+FilmLayers Renderer::resolve(const FilmSums& film) const {
+  return resolveFilm(film.halves, {static_cast<int>(context_.parameters.width), film.counts(),
+                                   context_.job.sharesLight && context_.hasMaps(), context_.job.threads});
 }
 
-Image Renderer::image() const { return imageOf(camera_.read(totals_.done()), context_); }
+Image Renderer::image(const FilmLayers& layers) const {
+  Image image{static_cast<int>(context_.parameters.width), static_cast<int>(context_.parameters.height), {}, {}};
+  addColor(image, "", layers.total);
+  if (context_.job.isTransparent) image.channels.push_back({"A", layers.coverage});
+  return image;
+}
 
-Image Renderer::imageWithLayers() {
-  const FilmLayers layers = read();
-  if (totals_.done().oddSamples > 0) {
-    stats_.error.estimated = layers.estimatedError;
-    stats_.error.low = kBandLow * layers.estimatedError;
-    stats_.error.high = kBandHigh * layers.estimatedError;
-  }
-  Image image = imageOf(layers, context_);
+Image Renderer::imageWithLayers(const FilmLayers& layers) {
+  Image image = this->image(layers);
   addAovs(context_, camera_, eyeMaps(), caustic_, global_, layers, image);
   return image;
 }

@@ -24,10 +24,13 @@ class Renderer {
   /// Of the run: all that decides the bits of the image but the number of passes.
   [[nodiscard]] std::uint64_t fingerprint() const;
 
-  /// The image so far, relative error expected of it, and its layers that the job asks for.
-  [[nodiscard]] Image image() const;
-  [[nodiscard]] double estimatedError() { return read().estimatedError; }
-  [[nodiscard]] Image imageWithLayers();
+  /// The film so far; those of several renderers of one image may be added up. Passes and seeds are left open.
+  [[nodiscard]] FilmSums film() const { return camera_.read(totals_.done()); }
+  /// What a film shows, its own or one of several.
+  [[nodiscard]] FilmLayers resolve(const FilmSums& film) const;
+  /// The image of a film, and with the layers that the job asks for; those of maps are of this renderer's.
+  [[nodiscard]] Image image(const FilmLayers& layers) const;
+  [[nodiscard]] Image imageWithLayers(const FilmLayers& layers);
   /// Statistics so far, and at the end.
   [[nodiscard]] const RenderStats& stats() const { return stats_; }
   [[nodiscard]] RenderStats finish(int passes);
@@ -39,7 +42,6 @@ class Renderer {
   void cutCells(int pass);
   void shootPhotons(int pass);
   void gatherImage(int pass);
-  [[nodiscard]] FilmLayers read();
   [[nodiscard]] EyeMaps eyeMaps() const;
 
   RenderStats stats_;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "render/features/feature_set.h"
@@ -21,6 +23,36 @@ void addCounts(PhotonMapStats& stats, const PhotonMapCounts& counts, MapKind kin
   if (!counts.isEnergyExact)
     throw std::logic_error(fmt::format("the {} map does not hold the power of its hits", traitsOf(kind).name));
 }
+
+void addMap(PhotonMapStats& sum, const PhotonMapStats& other) {
+  sum.emitted += other.emitted;
+  sum.hits += other.hits;
+  sum.stored += other.stored;
+  sum.redistributed += other.redistributed;
+  for (std::size_t c = 0; c < sum.fluxHits.size(); ++c) {
+    sum.fluxHits[c] += other.fluxHits[c];
+    sum.fluxMap[c] += other.fluxMap[c];
+  }
+}
+
+void addKernels(std::vector<KernelStats>& sum, const std::vector<KernelStats>& other) {
+  for (const KernelStats& kernel : other) {
+    const auto found = std::ranges::find(sum, kernel.label, &KernelStats::label);
+    if (found == sum.end()) {
+      sum.push_back(kernel);
+      continue;
+    }
+    found->launches += kernel.launches;
+    found->milliseconds += kernel.milliseconds;
+  }
+}
+
+constexpr std::array kSums{
+    &RenderStats::closestRays,      &RenderStats::shadowRays,      &RenderStats::importonsEmitted,
+    &RenderStats::importonsCaustic, &RenderStats::importonsGlobal, &RenderStats::photonsEmitted,
+    &RenderStats::photonsPilot,     &RenderStats::devicePeakBytes, &RenderStats::photonMapBytes};
+constexpr std::array kMeans{&PhaseSeconds::importance, &PhaseSeconds::cells, &PhaseSeconds::photons,
+                            &PhaseSeconds::gather};
 
 void warnOfUnfinished(std::span<const uint> counters, Log& log) {
   if (counters[kCounterTraceUnfinished] > 0)
@@ -82,6 +114,8 @@ void RunTotals::finish(int passes, const PhotonSystem& caustic, const PhotonSyst
   stats.height = static_cast<int>(context_.parameters.height);
   stats.passes = passes;
   stats.devicePeakBytes = gpu.peakBytes();
+  stats.devices = {{stats.deviceName, stats.deviceDriver, stats.deviceType, context_.job.seed, passes,
+                    stats.photonsEmitted, stats.devicePeakBytes}};
   for (const std::string& message : gpu.takeValidationMessages()) context_.log.warn("validation", message);
   stats.photonMapBytes = global.bytes() + caustic.bytes() + cache.bytes();
   if (cache.hasCells()) addCounts(stats.global, cache.readFlux(), global.kind);
@@ -97,6 +131,26 @@ void RunTotals::addKept(std::vector<Kept>& state) {
   state.push_back(keep("caustic counts", stats.caustic));
   state.push_back(keep("global counts", stats.global));
   state.push_back(keep("passes done", done_));
+}
+
+RenderStats sumOf(std::span<const RenderStats> ofDevices) {
+  RenderStats sum = ofDevices.front();
+  for (const RenderStats& other : ofDevices.subspan(1)) {
+    for (const auto count : kSums) sum.*count += other.*count;
+    for (const auto seconds : kMeans) sum.seconds.*seconds += other.seconds.*seconds;
+    sum.seconds.device = std::max(sum.seconds.device, other.seconds.device);
+    addMap(sum.caustic, other.caustic);
+    addMap(sum.global, other.global);
+    addKernels(sum.kernels, other.kernels);
+    sum.passes += other.passes;
+    sum.devices.insert(sum.devices.end(), other.devices.begin(), other.devices.end());
+  }
+  const auto count = static_cast<double>(ofDevices.size());
+  for (const auto seconds : kMeans) sum.seconds.*seconds /= count;
+  for (PhotonMapStats* map : {&sum.caustic, &sum.global})
+    for (auto* flux : {&map->fluxHits, &map->fluxMap})
+      for (double& watts : *flux) watts /= count;
+  return sum;
 }
 
 }  // namespace importon

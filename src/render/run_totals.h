@@ -1,5 +1,7 @@
 /// What all passes of a run come to: where the next one goes on, and the statistics.
 #pragma once
+#include <span>
+
 #include "render/photons/photon_system.h"
 #include "render/surface_cache/surface_cache.h"
 
@@ -23,5 +25,8 @@ class RunTotals {
   PassContext& context_;
   PassSums done_;
 };
+
+/// Of several devices that were at work on one image, as RenderStats says; of one its own. At least one.
+[[nodiscard]] RenderStats sumOf(std::span<const RenderStats> ofDevices);
 
 }  // namespace importon

@@ -85,5 +85,63 @@ TEST(DeviceChoice, NamesWhatIsMissingWhenNoDeviceIsUsable) {
   EXPECT_NE(message.find("Vulkan 1.2 is missing (Old GPU)"), std::string::npos) << message;
 }
 
+using Indices = std::vector<std::size_t>;
+
+std::string refusalOf(const std::string& wanted) {
+  try {
+    (void)chooseDevices(kDevices, wanted);
+  } catch (const DeviceError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "no error for '" << wanted << "'";
+  return "";
+}
+
+TEST(DeviceChoice, AllAreTheUsableOnesOfTheBestKind) {
+  EXPECT_EQ(chooseDevices(kDevices, "all"), (Indices{3, 4}));
+  EXPECT_EQ(chooseDevices(std::vector{device("a", "cpu"), device("b", "cpu")}, "all"), (Indices{0, 1}));
+  EXPECT_EQ(chooseDevices(std::vector{device("a", "cpu"), device("b", "integrated")}, "all"), (Indices{1}));
+  EXPECT_THROW((void)chooseDevices({}, "all"), DeviceError);
+}
+
+TEST(DeviceChoice, AListHasItsOwnOrder) {
+  EXPECT_EQ(chooseDevices(kDevices, "4,0"), (Indices{4, 0}));
+  EXPECT_EQ(chooseDevices(kDevices, "iris, gtx"), (Indices{2, 4}));
+  EXPECT_EQ(chooseDevices(kDevices, "geforce,GEFORCE"), (Indices{3, 4}));
+  EXPECT_EQ(chooseDevices(kDevices, "gtx"), (Indices{4}));
+  EXPECT_EQ(chooseDevices(kDevices, ""), (Indices{3}));
+}
+
+TEST(DeviceChoice, ANameMayHaveACommaInIt) {
+  const std::vector devices{device("llvmpipe (LLVM 15, 256 bits)", "cpu"), device("256 bits)", "cpu")};
+  EXPECT_EQ(chooseDevices(devices, "llvmpipe (LLVM 15, 256 bits)"), (Indices{0}));
+  EXPECT_EQ(chooseDevices(devices, "(LLVM 15,256 bits)"), (Indices{0, 1}));
+}
+
+TEST(DeviceChoice, RefusesWhatAListCannotHave) {
+  EXPECT_NE(refusalOf("0,voodoo").find("'voodoo'"), std::string::npos);
+  EXPECT_NE(refusalOf("0,5").find("'5'"), std::string::npos);
+  EXPECT_NE(refusalOf("0,1").find("lacks scalarBlockLayout"), std::string::npos);
+  EXPECT_NE(refusalOf("3,3").find("meant twice"), std::string::npos);
+  EXPECT_NE(refusalOf("iris,iris").find("meant twice"), std::string::npos);
+  EXPECT_NE(refusalOf("0,,2").find("has no name"), std::string::npos);
+  EXPECT_NE(refusalOf(",").find("has no name"), std::string::npos);
+}
+
+/// A device that two drivers show is used once, by the first of them that has all it takes.
+TEST(DeviceChoice, TakesATwinOnlyWhereItIsNamed) {
+  std::vector devices{device("A", "discrete", "compute queue"),
+                      device("A'", "discrete"),
+                      device("B", "discrete"),
+                      device("A''", "discrete"),
+                      device("?", "discrete"),
+                      device("?", "discrete")};
+  for (const std::size_t i : {0, 1, 3}) devices[i].identity = "PCI 0 1 0 0";
+  devices[2].identity = "PCI 0 2 0 0";
+  markTwins(devices);
+  EXPECT_EQ(chooseDevices(devices, "all"), (Indices{1, 2, 4, 5}));
+  EXPECT_EQ(chooseDevices(devices, "1,3"), (Indices{1, 3}));
+}
+
 }  // namespace
 }  // namespace importon::gpu

@@ -33,7 +33,7 @@ class LongRenders : public RenderTest {
     renderer.prepare();
     renderer.done() = sumsOf(job, static_cast<std::uint64_t>(first));
     renderPasses(renderer, first, count);
-    std::vector<float> values = valuesOf(renderer.image());
+    std::vector<float> values = valuesOf(renderer.image(renderer.resolve(renderer.film())));
     const int passes = first / 2 * 2 + count;
     for (float& value : values) value *= static_cast<float>(passes) / static_cast<float>(count);
     return values;
@@ -83,7 +83,7 @@ TEST_F(LongRenders, SumsOfAMillionPassesGoOnToGrow) {
     for (int c = 0; c < 3; ++c)
       added.add(static_cast<double>(grown[i].emitted[c]) - static_cast<double>(old[i].emitted[c]));
   EXPECT_TRUE(isWithin(0.01, added, static_cast<double>(0.1f) * 4 * kMore / 2));
-  EXPECT_TRUE(isConstant(renderer.image(), 0.1, 1e-5));
+  EXPECT_TRUE(isConstant(renderer.image(renderer.resolve(renderer.film())), 0.1, 1e-5));
 }
 
 Scene litRoom(int size) {

@@ -30,6 +30,7 @@ RenderStats sample() {
   stats.global.hits = 11;
   stats.devicePeakBytes = 1024;
   stats.error.estimated = 0.04;
+  stats.devices = {{"llvmpipe", "Mesa", "cpu", 5, 3, 200, 1024}};
   return stats;
 }
 
@@ -51,9 +52,12 @@ using Keys = std::vector<std::string>;
 
 TEST(StatsFile, HasTheKeysOfTheContract) {
   const Json json = written(sample());
-  EXPECT_EQ(keysOf(json), (Keys{"version", "command", "seed", "device", "scene", "light", "gather_from", "image",
-                                "seconds", "kernels", "rays", "importons", "photons", "memory", "error", "warnings"}));
+  EXPECT_EQ(keysOf(json),
+            (Keys{"version", "command", "seed", "device", "scene", "devices", "light", "gather_from", "image",
+                  "seconds", "kernels", "rays", "importons", "photons", "memory", "error", "warnings"}));
   EXPECT_EQ(keysOf(json["device"]), (Keys{"name", "driver", "type"}));
+  EXPECT_EQ(keysOf(json["devices"][0]),
+            (Keys{"name", "driver", "type", "seed", "passes", "photons_emitted", "device_peak_bytes"}));
   EXPECT_EQ(keysOf(json["scene"]), (Keys{"file", "triangles", "lights", "features"}));
   EXPECT_EQ(keysOf(json["image"]), (Keys{"width", "height", "passes"}));
   EXPECT_EQ(keysOf(json["seconds"]),

@@ -82,7 +82,7 @@ class Batch {
   const std::atomic<bool>& isInterrupted_;
   Clock::time_point start_, jobStart_;  // of the process; of the present job
   std::size_t entry_ = 0;               // number of the present one, from 1
-  SharedDevice device_;
+  SharedDevices devices_;
   bool hasDoubtedDevice_ = false;  // the last job failed on a fresh one
   std::unique_ptr<SceneAhead> next_;
   std::vector<BatchResult> results_;
@@ -161,7 +161,7 @@ RenderOutcome Batch::tryTwice(const RenderJob& job, const LoadedScene& loaded, s
                               Log& log) {
   const auto attempt = [&] {
     const RenderSources sources{
-        [this](const FeatureSet& features, const RenderJob& theJob) { return device_.load(features, theJob); },
+        [this](const FeatureSet& features, const RenderJob& theJob) { return devices_.load(features, theJob); },
         [&] { return tree ? std::exchange(tree, nullptr) : buildTree(loaded.scene, job); }};
     RenderOutcome outcome = renderLoaded(job, loaded, log, isInterrupted_, jobStart_, sources, place() + "  ");
     hasDoubtedDevice_ = false;
@@ -170,9 +170,9 @@ RenderOutcome Batch::tryTwice(const RenderJob& job, const LoadedScene& loaded, s
   try {
     return attempt();
   } catch (const DeviceError& error) {
-    const bool wasOpen = device_.isOpen();
-    device_.drop();
-    if (!wasOpen || std::exchange(hasDoubtedDevice_, true)) throw;
+    const bool wereOpen = devices_.areOpen();
+    devices_.drop();
+    if (!wereOpen || std::exchange(hasDoubtedDevice_, true)) throw;
     log.endProgress();
     log.warn("device failure", fmt::format("{}; now once more, with a fresh device", error.what()));
   }
@@ -180,7 +180,7 @@ RenderOutcome Batch::tryTwice(const RenderJob& job, const LoadedScene& loaded, s
   try {
     return attempt();
   } catch (const DeviceError&) {
-    device_.drop();
+    devices_.drop();
     throw;
   }
 }

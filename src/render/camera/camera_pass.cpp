@@ -42,10 +42,15 @@ void CameraPass::gather(int pass, const PassSums& before, const EyeMaps& maps) {
   context_.recorder.submitAndWait();
 }
 
-FilmLayers CameraPass::read(const PassSums& done) const {
-  return resolveFilm(film_.download(),
-                     {static_cast<int>(context_.parameters.width), sampler_.counts(done.evenSamples, done.oddSamples),
-                      context_.job.sharesLight && context_.hasMaps(), context_.job.threads});
+FilmSums CameraPass::read(const PassSums& done) const {
+  const SampleCounts counts = sampler_.counts(done.evenSamples, done.oddSamples);
+  FilmSums sums;
+  sums.halves = film_.download();
+  sums.evenSamples = counts.evenSamples;
+  sums.oddSamples = counts.oddSamples;
+  sums.evenExtra.assign(counts.evenExtra.begin(), counts.evenExtra.end());
+  sums.oddExtra.assign(counts.oddExtra.begin(), counts.oddExtra.end());
+  return sums;
 }
 
 std::vector<float> CameraPass::traceAovs(const EyeMaps& maps) const {

@@ -3,6 +3,7 @@
 #include "render/camera/eye_pass.h"
 #include "render/device/pass_context.h"
 #include "render/film/film.h"
+#include "render/film/film_sums.h"
 
 namespace importon {
 
@@ -12,8 +13,8 @@ class CameraPass {
 
   /// Traces the paths of pass `pass`, which follows those of `before`.
   void gather(int pass, const PassSums& before, const EyeMaps& maps);
-  /// The image of the passes that are done.
-  [[nodiscard]] FilmLayers read(const PassSums& done) const;
+  /// The film of the passes that are done, whose number and seeds are left open.
+  [[nodiscard]] FilmSums read(const PassSums& done) const;
   /// The AOV buffer of the whole image, kAovFloats per pixel, of the maps that there are.
   [[nodiscard]] std::vector<float> traceAovs(const EyeMaps& maps) const;
   void addKept(std::vector<Kept>& state);

@@ -24,12 +24,16 @@ std::shared_ptr<LoadedDevice> loadDevice(const FeatureSet& features, const Rende
   return std::make_shared<LoadedDevice>(features, job);
 }
 
-std::shared_ptr<LoadedDevice> SharedDevice::load(const FeatureSet& features, const RenderJob& job) {
-  if (open_ && (options_.device != job.device || options_.validation != job.validation)) drop();
-  if (open_ && open_->kernels->size() > kMostKernels) open_->kernels->clear();
-  options_ = {job.device, job.validation};
-  if (!open_) open_ = std::make_shared<OpenDevice>(options_);
-  return std::make_shared<LoadedDevice>(open_, features, job);
+std::shared_ptr<LoadedDevice> SharedDevices::load(const FeatureSet& features, const RenderJob& job) {
+  const std::lock_guard lock(mutex_);
+  const Asked asked{job.device, job.validation};
+  std::erase_if(open_, [](const auto& entry) { return entry.second->context.isLost(); });
+  auto found = open_.find(asked);
+  if (found == open_.end())
+    found = open_.emplace(asked, std::make_shared<OpenDevice>(gpu::ContextOptions{job.device, job.validation})).first;
+  const std::shared_ptr<OpenDevice>& open = found->second;
+  if (open->kernels->size() > kMostKernels) open->kernels->clear();
+  return std::make_shared<LoadedDevice>(open, features, job);
 }
 
 }  // namespace importon

@@ -2,7 +2,11 @@
 #pragma once
 #include <functional>
 #include <future>
+#include <map>
 #include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
 
 #include "gpu/context.h"
 #include "render/device/kernel_set.h"
@@ -34,19 +38,20 @@ using DeviceSource = std::function<std::shared_ptr<LoadedDevice>(const FeatureSe
 /// Opens the job's device and begins to compile the kernels for `features`. Throws DeviceError.
 [[nodiscard]] std::shared_ptr<LoadedDevice> loadDevice(const FeatureSet& features, const RenderJob& job);
 
-/// One device for renders that come one after another, whatever their features.
-class SharedDevice {
+/// Open devices for renders that come one after another, whatever their features. From any thread.
+class SharedDevices {
  public:
-  /// As loadDevice; opens a device for the first render, and for one that asks for another device than the last.
+  /// As loadDevice; opens a device that no render before has asked for, or that was lost since.
   [[nodiscard]] std::shared_ptr<LoadedDevice> load(const FeatureSet& features, const RenderJob& job);
-  /// False where the last device could not be opened.
-  [[nodiscard]] bool isOpen() const { return open_ != nullptr; }
-  /// The next render opens a device anew.
-  void drop() { open_.reset(); }
+  /// False where none could be opened.
+  [[nodiscard]] bool areOpen() const { return !open_.empty(); }
+  /// The next render opens its devices anew.
+  void drop() { open_.clear(); }
 
  private:
-  std::shared_ptr<OpenDevice> open_;  // null: none
-  gpu::ContextOptions options_;       // of it
+  using Asked = std::pair<std::string, bool>;  // device, validation
+  std::mutex mutex_;
+  std::map<Asked, std::shared_ptr<OpenDevice>> open_;
 };
 
 }  // namespace importon

@@ -15,7 +15,16 @@ namespace {
 /// Low word in x.
 uvec2 wordsOf(std::uint64_t n) { return {static_cast<uint>(n), static_cast<uint>(n >> 32)}; }
 
-/// Builds the BVH; a progress line when it takes long.
+void setPhotons(MapSettings& map, std::uint32_t perPass, const PassSums::Photons& before, bool isCounted) {
+  map.photonsPerPass = perPass;
+  map.firstPhoton = wordsOf(before.shot);
+  map.photonsCounted = 0;
+  if (before.counted == 0 || perPass == 0) return;
+  map.photonsCounted = static_cast<float>(static_cast<double>(before.counted + (isCounted ? perPass : 0)) / perPass);
+}
+
+}  // namespace
+
 std::shared_ptr<const Bvh> buildSceneBvh(const Scene& scene, const RenderJob& job, Log& log, double& seconds) {
   const Clock::time_point start = Clock::now();
   const auto progress = [&](double fraction) {
@@ -26,16 +35,6 @@ std::shared_ptr<const Bvh> buildSceneBvh(const Scene& scene, const RenderJob& jo
   seconds = secondsSince(start);
   return bvh;
 }
-
-void setPhotons(MapSettings& map, std::uint32_t perPass, const PassSums::Photons& before, bool isCounted) {
-  map.photonsPerPass = perPass;
-  map.firstPhoton = wordsOf(before.shot);
-  map.photonsCounted = 0;
-  if (before.counted == 0 || perPass == 0) return;
-  map.photonsCounted = static_cast<float>(static_cast<double>(before.counted + (isCounted ? perPass : 0)) / perPass);
-}
-
-}  // namespace
 
 struct PassContext::Loaded {
   glm::ivec2 size;

@@ -17,6 +17,10 @@ struct RenderSources {
   std::function<std::shared_ptr<const Bvh>()> tree = {};  // over the scene; empty: it is built
 };
 
+/// Builds the tree over the scene, with a progress line when it takes long. `seconds`: what it took. Throws SceneError.
+[[nodiscard]] std::shared_ptr<const Bvh> buildSceneBvh(const Scene& scene, const RenderJob& job, Log& log,
+                                                       double& seconds);
+
 struct PassContext {
   /// Loads the device and uploads the scene. Job, scene, log and stats must last as long. Throws DeviceError,
   /// SceneError.

@@ -279,7 +279,7 @@ Rows runOptions() {
           .everyday(),
       text(
           Group::machine, "--device", "NAME", &RenderJob::device,
-          "Vulkan device, by name or index, see `importon devices`\n(default: the first discrete GPU, else integrated, "
+          "Vulkan device, by name or index, or several: A,B or all\n(default: the first discrete GPU, else integrated, "
           "else a CPU)")
           .everyday(),
       number(Group::machine, "--threads", "N", &RenderJob::threads, wholeNumber(1, kMostThreads, "threads"),

@@ -21,6 +21,8 @@ class StopRule {
   /// `finishSeconds`: a first guess of what resolving and writing the image takes; estimates correct it.
   StopRule(const RenderJob& job, int maxPasses, double finishSeconds);
 
+  /// Of the passes in all; the devices of a render may share them out anew.
+  void setMaxPasses(int maxPasses) { maxPasses_ = maxPasses; }
   /// A pass of so many of kPartsOfPass parts was made.
   void passTook(double seconds, int parts = kPartsOfPass);
   /// `seconds` is what finding it took: about as much as resolving the image at the end will.
@@ -37,6 +39,8 @@ class StopRule {
 
   /// Until the last pass, as far as is known; negative: not known.
   [[nodiscard]] double secondsLeft(int passes, double secondsSinceStart) const;
+  /// That a whole pass takes; 0: none was made yet.
+  [[nodiscard]] double passSeconds() const { return passSeconds_; }
   /// For a run that goes on from where another one stopped.
   [[nodiscard]] const ErrorTrend& trend() const { return trend_; }
   [[nodiscard]] ErrorTrend& trend() { return trend_; }

@@ -18,17 +18,12 @@ Checkpointer::Checkpointer(const RenderJob& job, std::uint64_t fingerprint, Log&
                      "give the scene, seed, size, settings and device that it was made with");
 }
 
-void Checkpointer::resume(const std::vector<Kept>& state) {
-  if (start_) restore(state, *start_, job_.resume);
-  start_.reset();
-}
-
-void Checkpointer::save(int passes, const std::function<std::vector<Kept>()>& state, bool isEnd) {
+void Checkpointer::save(int passes, const std::function<std::vector<CheckpointBlock>()>& state, bool isEnd) {
   const auto now = std::chrono::steady_clock::now();
   if (job_.checkpoint.empty() || passes == 0 || (!isEnd && now - lastSave_ < kInterval)) return;
   lastSave_ = now;
   try {
-    writeCheckpoint(job_.checkpoint, {fingerprint_, passes, blocksOf(state())});
+    writeCheckpoint(job_.checkpoint, {fingerprint_, passes, state()});
     hasFailed_ = false;
   } catch (const OutputError& error) {
     hasFailed_ = true;

@@ -2,6 +2,7 @@
 #pragma once
 #include <chrono>
 #include <optional>
+#include <utility>
 
 #include "base/log.h"
 #include "render/render_job.h"
@@ -14,13 +15,11 @@ class Checkpointer {
   /// Reads the job's checkpoint to resume from, if it names one. `fingerprint`: of the run, whatever decides the bits
   /// of the image but the number of passes. Throws SceneError.
   Checkpointer(const RenderJob& job, std::uint64_t fingerprint, Log& log);
-  /// Passes that are done already; 0 for a fresh start.
-  [[nodiscard]] int passes() const { return start_ ? start_->passes : 0; }
-  /// Takes up the state after these passes, if there are any.
-  void resume(const std::vector<Kept>& state);
+  /// What to go on from, once; none for a fresh start.
+  [[nodiscard]] std::optional<Checkpoint> takeStart() { return std::exchange(start_, std::nullopt); }
   /// Writes a checkpoint if the job wants one and the last was a minute ago, or `isEnd`. A failure is a warning:
   /// the image matters more.
-  void save(int passes, const std::function<std::vector<Kept>()>& state, bool isEnd);
+  void save(int passes, const std::function<std::vector<CheckpointBlock>()>& state, bool isEnd);
   [[nodiscard]] bool hasFailed() const { return hasFailed_; }
 
  private:
