@@ -2,6 +2,7 @@
 // the search touches, then a walk over the points of all ranges, one after the other:
 //   Walk walk = beginWalk(frame, levels, centre, normal, radius, radius);
 //   while (nextPoint(walk)) { ... walk.index, walk.offset ... }
+// Where nothing bounds the points, a walk is thinned to a number that does: thin() and nextTaken().
 // The kernel defines `uvec2 gridCell(uint slot)` (first point, end) and `uvec4 gridPoint(uint index)` before
 // including this file.
 #ifndef IMPORTON_LIB_GRID_SEARCH_GLSL
@@ -18,6 +19,8 @@ struct Walk {
   uint range;      // the next one
   uint left;       // points left in the range at work
   uint level;      // of the range at work
+  uint stride;     // one point in so many is taken by nextTaken
+  uint skip;       // points before the next one that is taken
   uint index;      // of the point at hand, in cell order
   uint packed;     // of the point at hand
   vec3 offset;     // from the centre to it
@@ -56,12 +59,14 @@ uint addRanges(GridFrame frame, vec3 centre, vec3 normal, float radius, uint lev
 void restartWalk(inout Walk walk) {
   walk.range = 0u;
   walk.left = 0u;
+  walk.skip = walk.stride >> 1;
 }
 
 /// Searches the levels of the bits set in `levels`.
 Walk beginWalkLevels(GridFrame frame, vec3 centre, vec3 normal, float radius, uint levels) {
   Walk walk;
   walk.centre = centre;
+  walk.stride = 1u;
   walk.ranges = 0u;
   for (; levels != 0u; levels &= levels - 1u)
     walk.ranges = addRanges(frame, centre, normal, radius, uint(findLSB(levels)), walk.ranges);
@@ -80,6 +85,7 @@ Walk beginWalk(GridFrame frame, uint levels, vec3 centre, vec3 normal, float rad
 Walk beginWalkCell(GridFrame frame, vec3 centre, uint level) {
   Walk walk;
   walk.centre = centre;
+  walk.stride = 1u;
   const uvec2 cell = gridCell(gridSlot(frame, gridCellOf(frame, centre, level), level));
   searchRanges[0] = uvec2(cell.x, cell.y - cell.x | level << 27);
   walk.ranges = uint(cell.y > cell.x);
@@ -87,22 +93,56 @@ Walk beginWalkCell(GridFrame frame, vec3 centre, uint level) {
   return walk;
 }
 
-/// Steps to the next point, not yet tested for its level or distance; false when all are done.
-bool nextPoint(inout Walk walk) {
-  if (walk.left == 0u) {
-    if (walk.range == walk.ranges) return false;
-    const uvec2 range = searchRanges[walk.range++];
-    walk.index = range.x - 1u;
-    walk.left = range.y & 0x07FFFFFFu;
-    walk.level = range.y >> 27;
-  }
-  ++walk.index;
-  --walk.left;
+/// To before the first point of the next range; false: there is none.
+bool enterRange(inout Walk walk) {
+  if (walk.range == walk.ranges) return false;
+  const uvec2 range = searchRanges[walk.range++];
+  walk.index = range.x - 1u;
+  walk.left = range.y & 0x07FFFFFFu;
+  walk.level = range.y >> 27;
+  return true;
+}
+
+/// Steps `points` on in the range at work.
+void stepOn(inout Walk walk, uint points) {
+  walk.index += points;
+  walk.left -= points;
   const uvec4 point = gridPoint(walk.index);
   walk.offset = uintBitsToFloat(point.xyz) - walk.centre;
   walk.packed = point.w;
+}
+
+/// Steps to the next point, not yet tested for its level or distance; false when all are done.
+bool nextPoint(inout Walk walk) {
+  if (walk.left == 0u && !enterRange(walk)) return false;
+  stepOn(walk, 1u);
   return true;
 }
+
+/// Has nextTaken take one point in `stride`, evenly over all of them, so that they are `most` or fewer. Each then stands
+/// for `stride` points. Some devices end the loops of an invocation after 65,535 turns in all, without a word, those of
+/// a SIMD unit counted together.
+void thin(inout Walk walk, uint most) {
+  uint points = 0u;
+  for (uint i = 0u; i < walk.ranges; ++i) points += searchRanges[i].y & 0x07FFFFFFu;
+  walk.stride = points / most + 1u;
+  restartWalk(walk);
+}
+
+/// Steps to the next point that is taken, not yet tested for its level or distance; false when all are done.
+bool nextTaken(inout Walk walk) {
+  while (walk.left <= walk.skip) {
+    walk.skip -= walk.left;
+    walk.left = 0u;
+    if (!enterRange(walk)) return false;
+  }
+  stepOn(walk, walk.skip + 1u);
+  walk.skip = walk.stride - 1u;
+  return true;
+}
+
+/// False after the last point: the device has ended a loop too early.
+bool isUnfinished(Walk walk) { return walk.left > 0u || walk.range < walk.ranges; }
 
 /// True if the point at hand is of its range's level and within `radius` and the slab around the plane.
 bool isInside(Walk walk, vec3 normal, float radius) {
@@ -128,7 +168,7 @@ uint collectFound(inout Walk walk, vec3 normal, float radius, out bool isDone) {
   uint count = 0u;
   isDone = false;
   while (count < kMaxFound) {
-    if (!nextPoint(walk)) {
+    if (!nextTaken(walk)) {
       isDone = true;
       break;
     }

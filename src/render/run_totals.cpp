@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "base/error.h"
 #include "render/features/feature_set.h"
 #include "render/options/gather_source.h"
 #include "scene/studio.h"
@@ -22,12 +23,13 @@ void addCounts(PhotonMapStats& stats, const PhotonMapCounts& counts, MapKind kin
     throw std::logic_error(fmt::format("the {} map does not hold the power of its hits", traitsOf(kind).name));
 }
 
-void warnOfUnfinished(std::span<const uint> counters, Log& log) {
+void checkUnfinished(std::span<const uint> counters, Log& log) {
   if (counters[kCounterTraceUnfinished] > 0)
     log.warn("rays given up", fmt::format("{} rays were too long for this device", counters[kCounterTraceUnfinished]));
   if (counters[kCounterLookupsUnfinished] > 0)
-    log.warn("lookups given up", fmt::format("{} lookups of the nearest photons were too long for this device",
-                                             counters[kCounterLookupsUnfinished]));
+    throw DeviceError(fmt::format("{} lookups of photons or importons were too long for this device",
+                                  counters[kCounterLookupsUnfinished]),
+                      "", "choose another with --device, or fewer --photons");
   if (counters[kCounterMediaForgotten] > 0)
     log.warn("solids in solids", fmt::format("{} times a path was in more than {} solids at once; the outermost was "
                                              "left out of account",
@@ -52,7 +54,7 @@ void RunTotals::countPass(int pass, const PhotonSystem& caustic, const PhotonSys
   const auto counters = context_.work.counters.download<uint>(kCounterCount);
   stats.closestRays += sumOf(counters, kSumRaysClosest);
   stats.shadowRays += sumOf(counters, kSumRaysShadow);
-  warnOfUnfinished(counters, context_.log);
+  checkUnfinished(counters, context_.log);
   const auto count = [&](const PhotonSystem& system, PhotonMapStats& map) {
     if (!system.isUsed) return;
     map.emitted += context_.now.photonsFor(system.kind);

@@ -23,7 +23,7 @@ float importanceWithin(inout Walk walk, vec3 normal, float radius, inout float l
   float sum = 0.0, outermost = 0.0, outerWeight = 0.0;
   uint count = 0u;
   restartWalk(walk);
-  while (nextPoint(walk)) {
+  while (nextTaken(walk)) {
     const float d2 = likeDistance(walk, normal, radius);
     if (d2 < 0.0 || d2 >= limit) continue;
     const float weight = texelFetch(weightsWords, int(walk.index)).x;
@@ -34,9 +34,11 @@ float importanceWithin(inout Walk walk, vec3 normal, float radius, inout float l
       outerWeight = weight;
     }
   }
-  if (count < 3u || outermost <= 0.0) return sum / (kPi * limit);
+  if (isUnfinished(walk)) atomicAdd(counters[kCounterLookupsUnfinished], 1u);
+  const float stride = float(walk.stride);
+  if (count < 3u || outermost <= 0.0) return stride * sum / (kPi * limit);
   limit = outermost;
-  return (sum - outerWeight) / (kPi * outermost);
+  return stride * (sum - outerWeight) / (kPi * outermost);
 }
 
 void main() {
@@ -58,6 +60,7 @@ void main() {
     radius = gridCellEdge(frame, level);
     shell = beginShell(radius);
     walk = beginWalkLevels(frame, point.position, normal, radius, 1u << level);
+    thin(walk, mostPointsOf(push.levels));
     isFound = narrow(walk, normal, radius, push.nearest, shell);
     if (isFound) narrow(walk, normal, radius, push.nearest, shell);
   }

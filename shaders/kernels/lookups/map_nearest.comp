@@ -24,37 +24,22 @@ float countedDistance(Walk walk, vec3 normal, float radius) {
 #include "lib/nearest.glsl"
 
 const uint kFinestShift = 15u;  // of the shell: 2^-15 of the squared radius
-// In the cells of a level that is searched after finer ones. Some devices end the loops of an invocation after 65,535
-// steps in all, without a word; the level that is found is walked over four times.
-const uint kMostPoints = 8000u;
 
-uint pointsOf(Walk walk) {
-  uint points = 0u;
-  for (uint i = 0u; i < walk.ranges; ++i) points += searchRanges[i].y & 0x07FFFFFFu;
-  return points;
-}
-
-/// A walk over the finest cells that hold M photons around s, so that few more are looked at; false: all hold fewer, or
-/// those that might hold M have too many photons, of other surfaces, to look through; the walk is then the last one.
+/// A walk over the finest cells that hold M photons around s, so that few more are looked at; false: all hold fewer, and
+/// the walk is that over the coarsest.
 bool findNearest(Surface s, out Walk walk, out float radius, out Shell shell) {
   const GridFrame frame = storedFrame();
-  uint levels = push.levels, last = kNone;
-  bool isFound = false, isTooMuch = false;
+  const uint mostPoints = mostPointsOf(push.levels);
+  uint levels = push.levels;
+  bool isFound = false;
   while (levels != 0u && !isFound) {
-    const uint at = uint(findMSB(levels));
-    levels ^= 1u << at;
-    const float edge = gridCellEdge(frame, at);
-    walk = beginWalkLevels(frame, s.position, s.mapNormal, edge, 1u << at);
-    isTooMuch = last != kNone && pointsOf(walk) > kMostPoints;
-    if (isTooMuch) break;
-    last = at;
-    radius = edge;
+    const uint level = uint(findMSB(levels));
+    levels ^= 1u << level;
+    radius = gridCellEdge(frame, level);
+    walk = beginWalkLevels(frame, s.position, s.mapNormal, radius, 1u << level);
+    thin(walk, mostPoints);
     shell = beginShell(radius);
     isFound = narrow(walk, s.mapNormal, radius, push.nearest, shell);
-  }
-  if (isTooMuch) {
-    walk = beginWalkLevels(frame, s.position, s.mapNormal, radius, 1u << last);
-    shell = beginShell(radius);
   }
   while (isFound && shell.between > 1u && shell.shift > kFinestShift)
     narrow(walk, s.mapNormal, radius, push.nearest, shell);
@@ -73,7 +58,7 @@ vec3 reflectedRadiance(Surface s, vec3 direction) {
   vec3 sum = vec3(0.0), outer = vec3(0.0);
   float outermost = -1.0;
   restartWalk(walk);
-  while (nextPoint(walk)) {
+  while (nextTaken(walk)) {
     const float d2 = countedDistance(walk, s.mapNormal, radius);
     if (d2 < 0.0 || !isWithin(shell, d2)) continue;
     const vec3 light = photonLight(s, b, wo, frame, walk.index, walk.packed);
@@ -82,8 +67,9 @@ vec3 reflectedRadiance(Surface s, vec3 direction) {
     outermost = d2;
     outer = light;
   }
-  if (walk.left > 0u || walk.range < walk.ranges) atomicAdd(counters[kCounterLookupsUnfinished], 1u);
-  return isFull && outermost > 0.0 ? (sum - outer) / (kPi * outermost) : sum / (kPi * radius * radius);
+  if (isUnfinished(walk)) atomicAdd(counters[kCounterLookupsUnfinished], 1u);
+  const vec3 perArea = isFull && outermost > 0.0 ? (sum - outer) / (kPi * outermost) : sum / (kPi * radius * radius);
+  return float(walk.stride) * perArea;
 }
 
 void main() {
