@@ -129,12 +129,17 @@ void thin(inout Walk walk, uint most) {
   restartWalk(walk);
 }
 
-/// Steps to the next point that is taken, not yet tested for its level or distance; false when all are done.
+/// Steps to the next point that is taken, not yet tested for its level or distance, or over a range of which none is,
+/// with a point that fails that test; false when all are done. No loop: devices would count that too.
 bool nextTaken(inout Walk walk) {
-  while (walk.left <= walk.skip) {
+  if (walk.left <= walk.skip) {
     walk.skip -= walk.left;
     walk.left = 0u;
     if (!enterRange(walk)) return false;
+    if (walk.left <= walk.skip) {
+      walk.packed = (walk.level + 1u) << 27;
+      return true;
+    }
   }
   stepOn(walk, walk.skip + 1u);
   walk.skip = walk.stride - 1u;

@@ -20,6 +20,8 @@ const uint kDigitBits = 5u;
 const uint kDigits = 32u;
 uint digitCounts[kDigits];
 
+bool isCut = false;  // the device has ended a walk too early
+
 /// Squared distances, as whole numbers of 1/scale m², of which the bits above `shift` are `prefix`.
 struct Shell {
   float scale;
@@ -48,6 +50,7 @@ bool narrow(inout Walk walk, vec3 normal, float radius, uint nearest, inout Shel
     const uint key = uint(max(d2, 0.0) * shell.scale);
     if (d2 >= 0.0 && key >> shell.shift == shell.prefix) ++digitCounts[(key >> shift) & (kDigits - 1u)];
   }
+  isCut = isCut || isUnfinished(walk);
   for (uint d = 0u; d < kDigits; ++d) {
     if (shell.inner + digitCounts[d] >= taken) {
       shell = Shell(shell.scale, shell.prefix << kDigitBits | d, shift, shell.inner, digitCounts[d]);

@@ -34,7 +34,7 @@ float importanceWithin(inout Walk walk, vec3 normal, float radius, inout float l
       outerWeight = weight;
     }
   }
-  if (isUnfinished(walk)) atomicAdd(counters[kCounterLookupsUnfinished], 1u);
+  if (isCut || isUnfinished(walk)) atomicAdd(counters[kCounterLookupsUnfinished], 1u);
   const float stride = float(walk.stride);
   if (count < 3u || outermost <= 0.0) return stride * sum / (kPi * limit);
   limit = outermost;

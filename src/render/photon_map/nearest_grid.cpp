@@ -44,6 +44,8 @@ uint levelsFor(uint used, int finest, uint photons, std::uint64_t mostEntries) {
   return levels;
 }
 
+constexpr int kLevelsInTurn = 4;
+
 }  // namespace
 
 NearestGrid::NearestGrid(const Stage& stage, const StoredPhotons& photons, uint nearest) : nearest_(nearest) {
@@ -65,6 +67,18 @@ NearestGrid::NearestGrid(const Stage& stage, const StoredPhotons& photons, uint 
   overItems<kernels::PhotonEntryPoints>(stage, kCounterEntries, {.slotMask = grid_.slotMask, .levels = levels_},
                                         photons.buffers(), importon::buffers::Order{grid_.order},
                                         importon::buffers::PointsOut{grid_.points}, importon::buffers::MapFlux{flux_});
+}
+
+std::vector<uint> NearestGrid::levelsInTurn() const {
+  std::vector<uint> turns;
+  uint left = levels_;
+  while (left != 0 && (turns.empty() || std::popcount(left) > 1)) {
+    uint turn = 0, coarsest = 0;
+    for (int i = 0; i < kLevelsInTurn && left != 0; ++i, left ^= coarsest) turn |= coarsest = std::bit_floor(left);
+    if (left != 0) left |= coarsest;
+    turns.push_back(turn);
+  }
+  return turns;
 }
 
 }  // namespace importon
