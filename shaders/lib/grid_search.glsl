@@ -119,9 +119,9 @@ bool nextPoint(inout Walk walk) {
   return true;
 }
 
-/// Has nextTaken take one point in `stride`, evenly over all of them, so that they are `most` or fewer. Each then stands
-/// for `stride` points. Some devices end the loops of an invocation after 65,535 turns in all, without a word, those of
-/// a SIMD unit counted together.
+/// Has nextTaken take one point in `stride`, evenly over all of them, so that they are `most` or fewer. Each then
+/// stands for `stride` points. Some devices end the loops of an invocation after 65,535 turns in all, without a word,
+/// those of a SIMD unit counted together.
 void thin(inout Walk walk, uint most) {
   uint points = 0u;
   for (uint i = 0u; i < walk.ranges; ++i) points += searchRanges[i].y & 0x07FFFFFFu;

@@ -13,8 +13,8 @@ layout(push_constant, scalar) uniform Push {
 
 shared uint partial[kScanThreads];
 
-// Sixteen words in each turn of a loop: some devices end the loops of an invocation after 65,535 turns in all, without a
-// word, which the block sums of a sort of a few million entries would reach.
+// Sixteen words in each turn of a loop: some devices end the loops of an invocation after 65,535 turns in all, without
+// a word, which the block sums of a sort of a few million entries would reach.
 const uint kPerTurn = 16u;
 
 uint wordAt(uint i, uint end) { return i < end ? blockSums[i] : 0u; }
