@@ -1,7 +1,7 @@
 // The distance of the M-th nearest point of a walk by histograms of squared distance, digit by digit: no list of
 // neighbours, whatever M is; of a walk thinned to `stride`, that of the M/stride-th. The kernel defines
-// `float countedDistance(Walk walk, vec3 normal, float radius)`: squared distance of the point at hand, or -1 if it does
-// not count.
+// `float countedDistance(Walk walk, vec3 normal, float radius)`: squared distance of the point at hand, or -1 if it
+// does not count.
 #ifndef IMPORTON_LIB_NEAREST_GLSL
 #define IMPORTON_LIB_NEAREST_GLSL
 #include "lib/grid_search.glsl"
