@@ -23,9 +23,9 @@ void beginLevel(inout Neighbourhood n, GridFrame frame, vec3 centre, vec3 normal
   n.shell = beginShell(n.radius);
 }
 
-/// The finest cells that hold M points around a centre, so that few more are looked at. Where they have too many to look
-/// through, of other surfaces or beside a much denser place, those of a finer level that hold a few do instead. Without
-/// such a level some of the points stand for all.
+/// The finest cells that hold M points around a centre, so that few more are looked at. Where they have too many to
+/// look through, of other surfaces or beside a much denser place, those of a finer level that hold a few do instead.
+/// Without such a level some of the points stand for all.
 Neighbourhood findNearest(GridFrame frame, vec3 centre, vec3 normal, uint levels, uint nearest) {
   const uint mostPoints = mostPointsOf(levels);
   Neighbourhood n;
