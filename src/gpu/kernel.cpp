@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "gpu/kernel_impl.h"
+#include "gpu/specialise_module.h"
 #include "gpu/storage_texels.h"
 #include "gpu/vulkan_error.h"
 #include "shared/features.h"
@@ -154,9 +155,8 @@ Kernel::Kernel(Context& context, std::string label, const KernelCode& code,
 void Kernel::compile() const {
   std::call_once(impl_->compiles, [this] {
     Device& device = *impl_->device;
-    std::span<const std::uint32_t> module = moduleFor(*impl_->code, impl_->constants);
-    std::vector<std::uint32_t> rewritten;
-    if (!device.limits().hasLargeTexelBuffers) module = rewritten = storageTexels(module, impl_->code->buffers);
+    std::vector<std::uint32_t> module = specialised(moduleFor(*impl_->code, impl_->constants), impl_->constants);
+    if (!device.limits().hasLargeTexelBuffers) module = storageTexels(module, impl_->code->buffers);
     const ShaderModuleHandle shader = createModule(device, label_, module);
     impl_->pipeline = createPipeline(device, label_, shader.get(), impl_->pipelineLayout.get(), impl_->constants);
   });

@@ -16,9 +16,6 @@ using Id = std::uint32_t;
 using Words = std::vector<std::uint32_t>;
 using Instruction = SpirvInstruction;
 
-constexpr std::size_t kHeaderWords = 5;
-constexpr std::size_t kBoundWord = 3;  // above all ids [SPIR-V 1.5, 2.3]
-
 template <class Function>
 void forEach(std::span<const std::uint32_t> module, Function&& function) {
   if (!forEachInstruction(module, function)) throw std::logic_error("an instruction ends beyond its module");
@@ -46,7 +43,7 @@ struct ItemTypes {
 class Rewriter {
  public:
   Rewriter(std::span<const std::uint32_t> module, std::span<const KernelBuffer> buffers)
-      : module_(module), bound_(module[kBoundWord]) {
+      : module_(module), bound_(module[kSpirvBoundWord]) {
     forEach(module, [this](Instruction i) { read(i); });
     if (variables_.empty()) return;
     for (const auto& [variable, scalar] : variables_) itemOf_[variable] = {scalar, texelWords(buffers, variable)};
@@ -59,14 +56,14 @@ class Rewriter {
 
   Words rewritten() {
     if (variables_.empty()) return {module_.begin(), module_.end()};
-    Words result(module_.begin(), module_.begin() + kHeaderWords);
+    Words result(module_.begin(), module_.begin() + kSpirvHeaderWords);
     bool isDecorated = false, isDeclared = false;
     forEach(module_, [&](Instruction i) {
       if (isType(operationOf(i)) && !std::exchange(isDecorated, true)) decorate(result);
       if (operationOf(i) == SpvOpFunction && !std::exchange(isDeclared, true)) declare(result);
       write(result, i);
     });
-    result[kBoundWord] = bound_;
+    result[kSpirvBoundWord] = bound_;
     return result;
   }
 
