@@ -2,7 +2,7 @@
 // the search touches, then a walk over the points of all ranges, one after the other:
 //   Walk walk = beginWalk(frame, levels, centre, normal, radius, radius);
 //   while (nextPoint(walk)) { ... walk.index, walk.offset ... }
-// Where nothing bounds the points, a walk is thinned to a number that does: thin() and nextTaken().
+// Where nothing bounds the points, a walk is thinned: thin().
 // The kernel defines `uvec2 gridCell(uint slot)` (first point, end) and `uvec4 gridPoint(uint index)` before
 // including this file.
 #ifndef IMPORTON_LIB_GRID_SEARCH_GLSL
@@ -19,8 +19,7 @@ struct Walk {
   uint range;      // the next one
   uint left;       // points left in the range at work
   uint level;      // of the range at work
-  uint stride;     // one point in so many is taken by nextTaken
-  uint skip;       // points before the next one that is taken
+  uint stride;     // points for which each stands
   uint index;      // of the point at hand, in cell order
   uint packed;     // of the point at hand
   vec3 offset;     // from the centre to it
@@ -59,7 +58,6 @@ uint addRanges(GridFrame frame, vec3 centre, vec3 normal, float radius, uint lev
 void restartWalk(inout Walk walk) {
   walk.range = 0u;
   walk.left = 0u;
-  walk.skip = walk.stride >> 1;
 }
 
 /// Searches the levels of the bits set in `levels`.
@@ -93,57 +91,40 @@ Walk beginWalkCell(GridFrame frame, vec3 centre, uint level) {
   return walk;
 }
 
-/// To before the first point of the next range; false: there is none.
-bool enterRange(inout Walk walk) {
-  if (walk.range == walk.ranges) return false;
-  const uvec2 range = searchRanges[walk.range++];
-  walk.index = range.x - 1u;
-  walk.left = range.y & 0x07FFFFFFu;
-  walk.level = range.y >> 27;
-  return true;
-}
-
-/// Steps `points` on in the range at work.
-void stepOn(inout Walk walk, uint points) {
-  walk.index += points;
-  walk.left -= points;
+/// Steps to the next point, not yet tested for its level or distance; false when all are done.
+bool nextPoint(inout Walk walk) {
+  if (walk.left == 0u) {
+    if (walk.range == walk.ranges) return false;
+    const uvec2 range = searchRanges[walk.range++];
+    walk.index = range.x - 1u;
+    walk.left = range.y & 0x07FFFFFFu;
+    walk.level = range.y >> 27;
+  }
+  ++walk.index;
+  --walk.left;
   const uvec4 point = gridPoint(walk.index);
   walk.offset = uintBitsToFloat(point.xyz) - walk.centre;
   walk.packed = point.w;
-}
-
-/// Steps to the next point, not yet tested for its level or distance; false when all are done.
-bool nextPoint(inout Walk walk) {
-  if (walk.left == 0u && !enterRange(walk)) return false;
-  stepOn(walk, 1u);
   return true;
 }
 
-/// Has nextTaken take one point in `stride`, evenly over all of them, so that they are `most` or fewer. Each then
-/// stands for `stride` points. Some devices end the loops of an invocation after 65,535 turns in all, without a word,
-/// those of a SIMD unit counted together.
+/// Keeps one point in `stride` on average, those of each range side by side from a place that is as good as random, so
+/// that they are about `most` or fewer. Each then stands for `stride` points. Some devices end the loops of an
+/// invocation after 65,535 turns in all, without a word, those of a SIMD unit counted together.
 void thin(inout Walk walk, uint most) {
   uint points = 0u;
   for (uint i = 0u; i < walk.ranges; ++i) points += searchRanges[i].y & 0x07FFFFFFu;
+  if (points <= most) return;
   walk.stride = points / most + 1u;
-  restartWalk(walk);
-}
-
-/// Steps to the next point that is taken, not yet tested for its level or distance, or over a range of which none is,
-/// with a point that fails that test; false when all are done. No loop: devices would count that too.
-bool nextTaken(inout Walk walk) {
-  if (walk.left <= walk.skip) {
-    walk.skip -= walk.left;
-    walk.left = 0u;
-    if (!enterRange(walk)) return false;
-    if (walk.left <= walk.skip) {
-      walk.packed = (walk.level + 1u) << 27;
-      return true;
-    }
+  uint ranges = 0u;
+  for (uint i = 0u; i < walk.ranges; ++i) {
+    const uvec2 range = searchRanges[i];
+    const uint count = range.y & 0x07FFFFFFu, random = hash(range.x);
+    const uint kept = (count + random % walk.stride) / walk.stride;
+    if (kept == 0u) continue;
+    searchRanges[ranges++] = uvec2(range.x + hash(random) % (count - kept + 1u), kept | (range.y & ~0x07FFFFFFu));
   }
-  stepOn(walk, walk.skip + 1u);
-  walk.skip = walk.stride - 1u;
-  return true;
+  walk.ranges = ranges;
 }
 
 /// False after the last point: the device has ended a loop too early.
@@ -173,7 +154,7 @@ uint collectFound(inout Walk walk, vec3 normal, float radius, out bool isDone) {
   uint count = 0u;
   isDone = false;
   while (count < kMaxFound) {
-    if (!nextTaken(walk)) {
+    if (!nextPoint(walk)) {
       isDone = true;
       break;
     }

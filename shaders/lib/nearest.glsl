@@ -46,7 +46,7 @@ bool narrow(inout Walk walk, vec3 normal, float radius, uint nearest, inout Shel
   for (uint d = 0u; d < kDigits; ++d) digitCounts[d] = 0u;
   const uint shift = shell.shift - kDigitBits;
   restartWalk(walk);
-  while (nextTaken(walk)) {
+  while (nextPoint(walk)) {
     const float d2 = countedDistance(walk, normal, radius);
     const uint key = uint(max(d2, 0.0) * shell.scale);
     if (d2 >= 0.0 && key >> shell.shift == shell.prefix) ++digitCounts[(key >> shift) & (kDigits - 1u)];

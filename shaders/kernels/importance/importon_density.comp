@@ -23,7 +23,7 @@ float importanceWithin(inout Walk walk, vec3 normal, float radius, inout float l
   float sum = 0.0, outermost = 0.0, outerWeight = 0.0;
   uint count = 0u;
   restartWalk(walk);
-  while (nextTaken(walk)) {
+  while (nextPoint(walk)) {
     const float d2 = likeDistance(walk, normal, radius);
     if (d2 < 0.0 || d2 >= limit) continue;
     const float weight = texelFetch(weightsWords, int(walk.index)).x;

@@ -33,7 +33,7 @@ vec3 reflectedRadiance(Surface s, vec3 direction, Neighbourhood n) {
   vec3 sum = vec3(0.0), outer = vec3(0.0);
   float outermost = -1.0;
   restartWalk(n.walk);
-  while (nextTaken(n.walk)) {
+  while (nextPoint(n.walk)) {
     const float d2 = countedDistance(n.walk, s.mapNormal, n.radius);
     if (d2 < 0.0 || !isWithin(n.shell, d2)) continue;
     const vec3 light = photonLight(s, b, wo, frame, n.walk.index, n.walk.packed);
