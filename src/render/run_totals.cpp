@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <stdexcept>
+#include <string>
 
 #include "base/error.h"
 #include "render/features/feature_set.h"
@@ -87,8 +89,11 @@ void RunTotals::finish(int passes, const PhotonSystem& caustic, const PhotonSyst
   for (const std::string& message : gpu.takeValidationMessages()) context_.log.warn("validation", message);
   stats.photonMapBytes = global.bytes() + caustic.bytes() + cache.bytes();
   if (cache.hasCells()) addCounts(stats.global, cache.readFlux(), global.kind);
-  for (const gpu::KernelTime& t : context_.recorder.times())
-    stats.kernels.push_back({t.label, t.launches, t.milliseconds});
+  const std::map<std::string, double> compiled = context_.stage().kernels.compileTimes();
+  for (const gpu::KernelTime& t : context_.recorder.times()) {
+    const auto found = compiled.find(t.label);
+    stats.kernels.push_back({t.label, t.launches, t.milliseconds, found == compiled.end() ? 0 : found->second});
+  }
 }
 
 void RunTotals::addKept(std::vector<Kept>& state) {

@@ -26,13 +26,13 @@ struct Fault {
 };
 
 const Fault& fault() {
-  static const Fault read = [] {
+  static const Fault kRead = [] {
     const char* const text = std::getenv("IMPORTON_TEST_FAULT");
     const std::string words = text == nullptr ? "none 0" : text;
     const std::size_t space = words.find(' ');
     return Fault{words.substr(0, space), std::strtoull(words.c_str() + space, nullptr, 10)};
   }();
-  return read;
+  return kRead;
 }
 
 PFN_vkGetInstanceProcAddr nextInstanceProc = nullptr;
@@ -179,7 +179,7 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceProc(VkDevice of, const char* nam
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL instanceProc(VkInstance of, const char* name);
 
 PFN_vkVoidFunction ownProc(const char* name) {
-  static const std::map<std::string, PFN_vkVoidFunction> functions = {
+  static const std::map<std::string, PFN_vkVoidFunction> kFunctions = {
       {"vkCreateInstance", reinterpret_cast<PFN_vkVoidFunction>(createInstance)},
       {"vkCreateDevice", reinterpret_cast<PFN_vkVoidFunction>(createDevice)},
       {"vkDestroyDevice", reinterpret_cast<PFN_vkVoidFunction>(destroyDevice)},
@@ -195,8 +195,8 @@ PFN_vkVoidFunction ownProc(const char* name) {
       {"vkGetDeviceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(deviceProc)},
       {"vkGetInstanceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(instanceProc)},
   };
-  const auto found = functions.find(name);
-  return found == functions.end() ? nullptr : found->second;
+  const auto found = kFunctions.find(name);
+  return found == kFunctions.end() ? nullptr : found->second;
 }
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceProc(VkDevice of, const char* name) {
