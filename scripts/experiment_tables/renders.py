@@ -54,3 +54,29 @@ def start_up(programs):
     head = ["scene", "s in all", "reading", "tree", "device", "importance", "photons", "camera paths",
             "in all, cache empty"]
     return table(head, rows)
+
+
+def compiling(programs):
+    """What the driver's compiler costs for each kernel: milliseconds, the most first, in the scene of the least
+    features and in one of glass."""
+    scenes, runs = (["cornell_box"], 1) if programs.is_small else (["cornell_box", "glass_ball"], 5)
+    words = ["--passes", 1, "--width", 16, "--height", 16, "--photons", 100]
+    columns = []
+    for scene in scenes:
+        with tempfile.TemporaryDirectory() as cache:
+            environment = {"MESA_SHADER_CACHE_DIR": cache}
+            cold = programs.render(scene, words, environment)["kernels"]
+            found = [programs.render(scene, words, environment)["kernels"] for _ in range(runs)]
+        of = lambda kernels, key: {kernel["label"]: kernel[key] for kernel in kernels}
+        handed = [of(kernels, "compile_ms") for kernels in found]
+        warm = [of(kernels, "total_ms") for kernels in found]
+        first = of(cold, "total_ms")
+        columns.append({label: (statistics.median(times.get(label, 0) for times in handed),
+                                max(first[label] - statistics.median(times.get(label, 0) for times in warm), 0))
+                        for label in first})
+    labels = sorted(set().union(*columns), key=lambda label: -sum(sum(column.get(label, (0, 0))) for column in columns))
+    figures = lambda label: (f"{ms:.1f}" for column in columns for ms in column.get(label, (0, 0)))
+    heads = [f"{scene}, {part}" for scene in scenes for part in ("handed over", "machine code")]
+    shown = [[label, *figures(label)] for label in labels if max(map(float, figures(label))) >= 5]
+    sums = [f"{sum(column[label][part] for label in column):.0f}" for column in columns for part in (0, 1)]
+    return table(["kernel", *heads], [*shown, ["all", *sums]])

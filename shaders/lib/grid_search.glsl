@@ -2,6 +2,7 @@
 // the search touches, then a walk over the points of all ranges, one after the other:
 //   Walk walk = beginWalk(frame, levels, centre, normal, radius, radius);
 //   while (nextPoint(walk)) { ... walk.index, walk.offset ... }
+// Where nothing bounds the points, a walk is thinned: thin().
 // The kernel defines `uvec2 gridCell(uint slot)` (first point, end) and `uvec4 gridPoint(uint index)` before
 // including this file.
 #ifndef IMPORTON_LIB_GRID_SEARCH_GLSL
@@ -18,6 +19,7 @@ struct Walk {
   uint range;      // the next one
   uint left;       // points left in the range at work
   uint level;      // of the range at work
+  uint stride;     // points for which each stands
   uint index;      // of the point at hand, in cell order
   uint packed;     // of the point at hand
   vec3 offset;     // from the centre to it
@@ -62,6 +64,7 @@ void restartWalk(inout Walk walk) {
 Walk beginWalkLevels(GridFrame frame, vec3 centre, vec3 normal, float radius, uint levels) {
   Walk walk;
   walk.centre = centre;
+  walk.stride = 1u;
   walk.ranges = 0u;
   for (; levels != 0u; levels &= levels - 1u)
     walk.ranges = addRanges(frame, centre, normal, radius, uint(findLSB(levels)), walk.ranges);
@@ -80,6 +83,7 @@ Walk beginWalk(GridFrame frame, uint levels, vec3 centre, vec3 normal, float rad
 Walk beginWalkCell(GridFrame frame, vec3 centre, uint level) {
   Walk walk;
   walk.centre = centre;
+  walk.stride = 1u;
   const uvec2 cell = gridCell(gridSlot(frame, gridCellOf(frame, centre, level), level));
   searchRanges[0] = uvec2(cell.x, cell.y - cell.x | level << 27);
   walk.ranges = uint(cell.y > cell.x);
@@ -103,6 +107,28 @@ bool nextPoint(inout Walk walk) {
   walk.packed = point.w;
   return true;
 }
+
+/// Keeps one point in `stride` on average, those of each range side by side from a place that is as good as random, so
+/// that they are about `most` or fewer. Each then stands for `stride` points. Some devices end the loops of an
+/// invocation after 65,535 turns in all, without a word, those of a SIMD unit counted together.
+void thin(inout Walk walk, uint most) {
+  uint points = 0u;
+  for (uint i = 0u; i < walk.ranges; ++i) points += searchRanges[i].y & 0x07FFFFFFu;
+  if (points <= most) return;
+  walk.stride = points / most + 1u;
+  uint ranges = 0u;
+  for (uint i = 0u; i < walk.ranges; ++i) {
+    const uvec2 range = searchRanges[i];
+    const uint count = range.y & 0x07FFFFFFu, random = hash(range.x);
+    const uint kept = (count + random % walk.stride) / walk.stride;
+    if (kept == 0u) continue;
+    searchRanges[ranges++] = uvec2(range.x + hash(random) % (count - kept + 1u), kept | (range.y & ~0x07FFFFFFu));
+  }
+  walk.ranges = ranges;
+}
+
+/// False after the last point: the device has ended a loop too early.
+bool isUnfinished(Walk walk) { return walk.left > 0u || walk.range < walk.ranges; }
 
 /// True if the point at hand is of its range's level and within `radius` and the slab around the plane.
 bool isInside(Walk walk, vec3 normal, float radius) {

@@ -252,6 +252,7 @@ SHARED_CONST uint kCounterQueueB = 1u;
 SHARED_CONST uint kCounterRecords = 2u;        // records written so far (queue entries passed)
 SHARED_CONST uint kCounterSelected = 3u;       // records of the map at work
 SHARED_CONST uint kCounterStored = 4u;         // photons in the map at work
+SHARED_CONST uint kCounterLargestCrowd = 5u;   // most photons in a slot of a level at work
 SHARED_CONST uint kCounterEntries = 6u;        // entries being sorted
 SHARED_CONST uint kCounterTotal = 7u;          // result of a scan
 SHARED_CONST uint kCounterOverflow = 8u;       // photons that found no room

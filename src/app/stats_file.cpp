@@ -10,7 +10,10 @@ using Json = nlohmann::ordered_json;
 Json kernelsJson(const std::vector<KernelStats>& kernels) {
   Json rows = Json::array();
   for (const KernelStats& kernel : kernels) {
-    rows.push_back({{"label", kernel.label}, {"launches", kernel.launches}, {"total_ms", kernel.milliseconds}});
+    rows.push_back({{"label", kernel.label},
+                    {"launches", kernel.launches},
+                    {"total_ms", kernel.milliseconds},
+                    {"compile_ms", kernel.compileMilliseconds}});
   }
   return rows;
 }

@@ -2,6 +2,7 @@
 /// behind the Impl pointers.
 #pragma once
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,9 +33,12 @@ struct Limits {
 };
 
 struct ContextOptions {
-  std::string device{};          // name (part of it, any case) or index, of one; empty: the default
-  bool validation = false;       // validation layers with synchronization validation
-  bool stagesTransfers = false;  // copy through staging memory even where buffers can be mapped (for tests)
+  std::string device{};                 // name (part of it, any case) or index, of one; empty: the default
+  bool validation = false;              // validation layers with synchronization validation
+  bool stagesTransfers = false;         // copy through staging memory even where buffers can be mapped (for tests)
+  std::filesystem::path cacheFolder{};  // keeps what the driver makes of kernels (pipeline_file.h); empty: nothing does
+  std::uint64_t kernels = 0;            // a hash of their code
+  bool operator==(const ContextOptions&) const = default;
 };
 
 /// One device, one compute queue. Throws DeviceError.

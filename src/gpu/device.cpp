@@ -1,5 +1,6 @@
 #include "gpu/device.h"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -19,6 +20,7 @@ Device::Device(const ContextOptions& options) : instance_(options.validation) {
   facts_.mapsBuffers = facts_.mapsBuffers && !options.stagesTransfers;
   try {
     open(devices[chosen].handle);
+    makePipelineCache(devices[chosen].handle, options);
   } catch (...) {
     close();
     throw;
@@ -29,6 +31,7 @@ Device::~Device() { close(); }
 
 void Device::close() {
   staging_.reset();
+  keepPipelines();
   pipelineCache_ = {};
   if (device_ != VK_NULL_HANDLE) vkDestroyDevice(device_, nullptr);
 }
@@ -50,12 +53,38 @@ void Device::open(VkPhysicalDevice physical) {
   info.pQueueCreateInfos = &queue;
   check(vkCreateDevice(physical, &info, nullptr, &device_), "open the device", facts_.info.name);
   vkGetDeviceQueue(device_, facts_.queueFamily, 0, &queue_);
+}
 
-  VkPipelineCacheCreateInfo cacheInfo{};
-  cacheInfo.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO;
+void Device::makePipelineCache(VkPhysicalDevice physical, const ContextOptions& options) {
+  VkPhysicalDeviceProperties properties{};
+  vkGetPhysicalDeviceProperties(physical, &properties);
+  PipelineKey key{{}, properties.vendorID, properties.deviceID, properties.driverVersion, options.kernels};
+  std::ranges::copy(properties.pipelineCacheUUID, key.cacheId.begin());
+  pipelineFile_.emplace(options.cacheFolder, key);
+  keptPipelines_ = pipelineFile_->read();
+  VkPipelineCacheCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO;
+  info.initialDataSize = keptPipelines_.size();
+  info.pInitialData = keptPipelines_.data();
   VkPipelineCache cache = VK_NULL_HANDLE;
-  check(vkCreatePipelineCache(device_, &cacheInfo, nullptr, &cache), "create a pipeline cache", facts_.info.name);
+  if (keptPipelines_.empty() || vkCreatePipelineCache(device_, &info, nullptr, &cache) != VK_SUCCESS) {
+    keptPipelines_.clear();
+    info.initialDataSize = 0;
+    check(vkCreatePipelineCache(device_, &info, nullptr, &cache), "create a pipeline cache", facts_.info.name);
+  }
   pipelineCache_ = {device_, cache};
+}
+
+/// Some drivers have nothing to keep but the header.
+void Device::keepPipelines() const {
+  std::size_t bytes = 0;
+  if (!pipelineFile_ || !pipelineFile_->isKept() || pipelineCache_.get() == VK_NULL_HANDLE) return;
+  if (vkGetPipelineCacheData(device_, pipelineCache_.get(), &bytes, nullptr) != VK_SUCCESS) return;
+  if (bytes <= sizeof(VkPipelineCacheHeaderVersionOne)) return;
+  std::vector<std::byte> data(bytes);
+  if (vkGetPipelineCacheData(device_, pipelineCache_.get(), &bytes, data.data()) != VK_SUCCESS) return;
+  data.resize(bytes);
+  if (data != keptPipelines_) pipelineFile_->write(data);
 }
 
 VkResult Device::submitAndWait(VkCommandBuffer commands, VkFence fence) {

@@ -6,12 +6,15 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "gpu/context.h"
 #include "gpu/device_facts.h"
 #include "gpu/handle.h"
 #include "gpu/instance.h"
+#include "gpu/pipeline_file.h"
 
 namespace importon::gpu {
 
@@ -53,6 +56,8 @@ class Device {
 
  private:
   void open(VkPhysicalDevice physical);
+  void makePipelineCache(VkPhysicalDevice physical, const ContextOptions& options);
+  void keepPipelines() const;
   void close();
   [[nodiscard]] VkResult submit(VkCommandBuffer commands, VkFence fence);
 
@@ -61,6 +66,8 @@ class Device {
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
   PipelineCacheHandle pipelineCache_;
+  std::optional<PipelineFile> pipelineFile_;
+  std::vector<std::byte> keptPipelines_;  // as they were read
   std::mutex queueMutex_;
   std::mutex stagingMutex_;
   std::unique_ptr<Staging> staging_;

@@ -1,11 +1,13 @@
 #include "gpu/kernel.h"
 
 #include <algorithm>
+#include <ctime>
 #include <stdexcept>
 
 #include "base/error.h"
 #include "gpu/kernel_impl.h"
 #include "gpu/rounded_division.h"
+#include "gpu/specialise_module.h"
 #include "gpu/storage_texels.h"
 #include "gpu/vulkan_error.h"
 #include "shared/features.h"
@@ -76,6 +78,13 @@ PipelineLayoutHandle createPipelineLayout(Device& device, const std::string& lab
   VkPipelineLayout layout = VK_NULL_HANDLE;
   check(vkCreatePipelineLayout(device.handle(), &info, nullptr, &layout), "create a pipeline layout", label);
   return {device.handle(), layout};
+}
+
+/// CPU time of this thread: others may have the cores.
+double threadMilliseconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
 }
 
 /// The words to give to a driver: of the lean module where every rare constant is 0, or of that for placed meshes where
@@ -154,13 +163,14 @@ Kernel::Kernel(Context& context, std::string label, const KernelCode& code,
 
 void Kernel::compile() const {
   std::call_once(impl_->compiles, [this] {
+    const double start = threadMilliseconds();
     Device& device = *impl_->device;
-    std::span<const std::uint32_t> module = moduleFor(*impl_->code, impl_->constants);
-    std::vector<std::uint32_t> rewritten;
-    if (!device.limits().roundsDivision) module = rewritten = roundedDivision(module);
-    if (!device.limits().hasLargeTexelBuffers) module = rewritten = storageTexels(module, impl_->code->buffers);
+    std::vector<std::uint32_t> module = specialised(moduleFor(*impl_->code, impl_->constants), impl_->constants);
+    if (!device.limits().roundsDivision) module = roundedDivision(module);
+    if (!device.limits().hasLargeTexelBuffers) module = storageTexels(module, impl_->code->buffers);
     const ShaderModuleHandle shader = createModule(device, label_, module);
     impl_->pipeline = createPipeline(device, label_, shader.get(), impl_->pipelineLayout.get(), impl_->constants);
+    impl_->compileMilliseconds = threadMilliseconds() - start;
   });
 }
 
@@ -169,6 +179,7 @@ Kernel::~Kernel() = default;
 Kernel::Kernel(Kernel&&) noexcept = default;
 Kernel& Kernel::operator=(Kernel&&) noexcept = default;
 
+double Kernel::compileMilliseconds() const { return impl_->compileMilliseconds; }
 std::uint32_t Kernel::workgroupSize() const { return impl_->workgroupSize; }
 
 }  // namespace importon::gpu

@@ -30,6 +30,8 @@ class Kernel {
   [[nodiscard]] const std::string& label() const { return label_; }
   /// Compiles the kernel unless that is done; waits where another thread is at it. From any thread. Throws DeviceError.
   void compile() const;
+  /// Time of a thread in compile(); 0 until that is done.
+  [[nodiscard]] double compileMilliseconds() const;
   /// Invocations per workgroup along x after specialization.
   [[nodiscard]] std::uint32_t workgroupSize() const;
 

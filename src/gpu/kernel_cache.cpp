@@ -42,6 +42,13 @@ std::size_t KernelCache::size() const {
   return kernels_.size();
 }
 
+std::map<std::string, double> KernelCache::compileTimes() const {
+  const std::scoped_lock lock(mutex_);
+  std::map<std::string, double> times;
+  for (const auto& [key, kernel] : kernels_) times[key.label] += kernel.compileMilliseconds();
+  return times;
+}
+
 void KernelCache::clear() {
   const std::scoped_lock lock(mutex_);
   kernels_.clear();

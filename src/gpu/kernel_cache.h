@@ -22,6 +22,8 @@ class KernelCache {
   [[nodiscard]] const Kernel& find(std::string_view label, const KernelCode& code,
                                    std::span<const Specialization> constants);
   [[nodiscard]] std::size_t size() const;
+  /// CPU time that compiling took so far, ms by label.
+  [[nodiscard]] std::map<std::string, double> compileTimes() const;
   /// Not while a kernel of it is in use.
   void clear();
 

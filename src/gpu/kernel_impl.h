@@ -1,5 +1,6 @@
 /// What a Kernel owns.
 #pragma once
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -20,6 +21,7 @@ struct Kernel::Impl {
   std::vector<Specialization> constants;
   std::once_flag compiles;
   PipelineHandle pipeline;  // null until compiled
+  std::atomic<double> compileMilliseconds = 0;
 };
 
 /// What a buffer of that kind is bound as.

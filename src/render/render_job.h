@@ -93,6 +93,7 @@ struct RenderJob {
   std::filesystem::path resume;       // a checkpoint to go on from; empty: none
   std::filesystem::path reference;    // adds the error against it to the statistics; empty: none
   bool validation = false;
+  bool leavesCache = false;          // the user's cache folder is neither read nor written
   std::uint32_t workgroupSize = 64;  // invocations; the image does not depend on it
   bool forcesAllFeatures = false;    // every feature on: must give the same image
   std::vector<std::string> commandLine;

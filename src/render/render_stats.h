@@ -13,6 +13,7 @@ struct KernelStats {
   std::string label;
   std::uint64_t launches = 0;
   double milliseconds = 0;
+  double compileMilliseconds = 0;  // CPU time, of all kernels of the label that the device has compiled so far
 };
 
 /// One photon map. Counts are sums over passes.

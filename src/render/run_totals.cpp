@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <stdexcept>
+#include <string>
 
+#include "base/error.h"
 #include "render/features/feature_set.h"
 #include "render/options/gather_source.h"
 #include "scene/studio.h"
@@ -54,12 +57,13 @@ constexpr std::array kSums{
 constexpr std::array kMeans{&PhaseSeconds::importance, &PhaseSeconds::cells, &PhaseSeconds::photons,
                             &PhaseSeconds::gather};
 
-void warnOfUnfinished(std::span<const uint> counters, Log& log) {
+void checkUnfinished(std::span<const uint> counters, Log& log) {
   if (counters[kCounterTraceUnfinished] > 0)
     log.warn("rays given up", fmt::format("{} rays were too long for this device", counters[kCounterTraceUnfinished]));
   if (counters[kCounterLookupsUnfinished] > 0)
-    log.warn("lookups given up", fmt::format("{} lookups of the nearest photons were too long for this device",
-                                             counters[kCounterLookupsUnfinished]));
+    throw DeviceError(fmt::format("{} lookups of photons or importons were too long for this device",
+                                  counters[kCounterLookupsUnfinished]),
+                      "", "choose another with --device, or fewer --photons");
   if (counters[kCounterMediaForgotten] > 0)
     log.warn("solids in solids", fmt::format("{} times a path was in more than {} solids at once; the outermost was "
                                              "left out of account",
@@ -84,7 +88,7 @@ void RunTotals::countPass(int pass, const PhotonSystem& caustic, const PhotonSys
   const auto counters = context_.work.counters.download<uint>(kCounterCount);
   stats.closestRays += sumOf(counters, kSumRaysClosest);
   stats.shadowRays += sumOf(counters, kSumRaysShadow);
-  warnOfUnfinished(counters, context_.log);
+  checkUnfinished(counters, context_.log);
   const auto count = [&](const PhotonSystem& system, PhotonMapStats& map) {
     if (!system.isUsed) return;
     map.emitted += context_.now.photonsFor(system.kind);
@@ -119,8 +123,11 @@ void RunTotals::finish(int passes, const PhotonSystem& caustic, const PhotonSyst
   for (const std::string& message : gpu.takeValidationMessages()) context_.log.warn("validation", message);
   stats.photonMapBytes = global.bytes() + caustic.bytes() + cache.bytes();
   if (cache.hasCells()) addCounts(stats.global, cache.readFlux(), global.kind);
-  for (const gpu::KernelTime& t : context_.recorder.times())
-    stats.kernels.push_back({t.label, t.launches, t.milliseconds});
+  const std::map<std::string, double> compiled = context_.stage().kernels.compileTimes();
+  for (const gpu::KernelTime& t : context_.recorder.times()) {
+    const auto found = compiled.find(t.label);
+    stats.kernels.push_back({t.label, t.launches, t.milliseconds, found == compiled.end() ? 0 : found->second});
+  }
 }
 
 void RunTotals::addKept(std::vector<Kept>& state) {

@@ -3,11 +3,14 @@
 //   lost N DEVICE the same of the device of this index alone, of its own submissions
 //   memory MIB    allocations fail once so much is in use
 //   heap MIB      the device says that it has no more memory than that
+//   pipelines N   its pipeline cache has N bytes to keep, and standard error tells when they are given back
 // IMPORTON_TEST_LIMITS: see lower_limits.h.
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -172,6 +175,27 @@ VKAPI_ATTR void VKAPI_CALL freeMemory(VkDevice of, VkDeviceMemory memory, const 
   device.next<PFN_vkFreeMemory>("vkFreeMemory")(of, memory, allocator);
 }
 
+VKAPI_ATTR VkResult VKAPI_CALL createPipelineCache(VkDevice of, const VkPipelineCacheCreateInfo* info,
+                                                   const VkAllocationCallbacks* allocator, VkPipelineCache* created) {
+  VkPipelineCacheCreateInfo own = *info;
+  if (fault().kind == "pipelines" && info->initialDataSize > fault().limit) {
+    std::fprintf(stderr, "%zu bytes of pipelines\n", info->initialDataSize);
+    own.initialDataSize -= fault().limit;
+  }
+  return next<PFN_vkCreatePipelineCache>("vkCreatePipelineCache")(of, &own, allocator, created);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL getPipelineCacheData(VkDevice of, VkPipelineCache cache, std::size_t* bytes,
+                                                    void* data) {
+  const auto get = next<PFN_vkGetPipelineCacheData>("vkGetPipelineCacheData");
+  if (fault().kind != "pipelines") return get(of, cache, bytes, data);
+  std::size_t own = data == nullptr ? 0 : *bytes - fault().limit;
+  const VkResult result = get(of, cache, &own, data);
+  if (data != nullptr) std::memset(static_cast<char*>(data) + own, 'p', fault().limit);
+  *bytes = own + fault().limit;
+  return result;
+}
+
 VKAPI_ATTR void VKAPI_CALL getMemoryProperties(VkPhysicalDevice physical,
                                                VkPhysicalDeviceMemoryProperties* properties) {
   instanceOf(physical).memoryProperties(physical, properties);
@@ -213,6 +237,8 @@ PFN_vkVoidFunction ownProc(const char* name) {
       {"vkQueueSubmit", reinterpret_cast<PFN_vkVoidFunction>(queueSubmit)},
       {"vkAllocateMemory", reinterpret_cast<PFN_vkVoidFunction>(allocateMemory)},
       {"vkFreeMemory", reinterpret_cast<PFN_vkVoidFunction>(freeMemory)},
+      {"vkCreatePipelineCache", reinterpret_cast<PFN_vkVoidFunction>(createPipelineCache)},
+      {"vkGetPipelineCacheData", reinterpret_cast<PFN_vkVoidFunction>(getPipelineCacheData)},
       {"vkGetPhysicalDeviceMemoryProperties", reinterpret_cast<PFN_vkVoidFunction>(getMemoryProperties)},
       {"vkGetPhysicalDeviceProperties", reinterpret_cast<PFN_vkVoidFunction>(getProperties)},
       {"vkGetPhysicalDeviceProperties2", reinterpret_cast<PFN_vkVoidFunction>(getProperties2)},

@@ -175,6 +175,17 @@ TEST_F(DensityControlTest, ByCosineStoresLessThanByStep) {
   EXPECT_GT(stored(kAcceptCosine, 3), cosine);
 }
 
+// So many neighbours count as none, but not more, however few the quota asks for.
+TEST_F(DensityControlTest, OfTheProgramsLimitsTurnsHitsAwayAfterThoseThatCountAsNone) {
+  const Scene scene = plane();
+  test::MapRig rig(context(), scene, planeJob(100));
+  rig.parameters.largestQuotaRadius = 0.5f * std::sqrt(1.0f / (100 * static_cast<float>(M_PI)));  // of a quarter photon
+  const StorageRule rule{DensityControl::density, 20, nullptr, 0, kAcceptStep, kShareEqual, 3};
+  const PhotonMapCounts counts = rig.counts(rig.shoot(MapKind::global, rule));
+  EXPECT_GT(counts.stored, 0u);
+  EXPECT_LT(counts.stored, counts.hits / 4);
+}
+
 TEST_F(DensityControlTest, FollowsImportance) {
   const Scene scene = plane();
   RenderJob job = planeJob(0);

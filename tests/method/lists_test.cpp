@@ -143,6 +143,12 @@ TEST_F(Sort, HoldsForAllSizes) {
 
 TEST_F(Sort, HoldsForAMillionKeys) { expectStablySorted(randomKeys(kMaxEntries, 20), 20); }
 
+TEST_F(Sort, HoldsForMoreKeysThanLoopsOfTheScanMayTakeTurns) {
+  constexpr std::size_t kKeys = 5'000'000;
+  reserveEntries(stage(), kKeys);
+  expectStablySorted(randomKeys(kKeys, 12), 12);
+}
+
 TEST_F(Sort, LeavesEqualKeysInTheirOrder) {
   for (const uint key : {0u, 0xFFFFFu}) expectStablySorted(std::vector<uint>(100'000, key), 20);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "method/map_rig.h"
 #include "render/camera/point_layer.h"
@@ -70,6 +71,56 @@ TEST_F(NearestPhotons, AreThoseOfASearchThroughAll) {
     ++compared;
   }
   EXPECT_GT(compared, 80);
+}
+
+/// So few are required that lookups of a map of their density would reach across the plane.
+TEST_F(NearestPhotons, AreFoundWhereTheMapIsFarDenserThanRequired) {
+  const Scene scene = plane();
+  RenderJob job = nearestJob(1u << 18, 80);
+  job.constantDensity = 0.01;
+  test::MapRig rig(context(), scene, job);
+  const PhotonMap map = rig.shoot(MapKind::global, DensityControl::off, 0);
+  const std::vector<float> aovs = rig.aovs(map);
+  const std::vector<MapPoint> photons = rig.photons(map);
+  const std::vector<vec3> flux = rig.flux(map);
+  EXPECT_GT(photons.size(), 150'000u);
+  int compared = 0, atEdge = 0;  // the spot's: beside so many photons not all M are looked for
+  for (std::size_t at = 0; at < aovs.size(); at += 23 * kAovFloats, ++compared) {
+    const vec3 position(aovs[at + kAovPosition], aovs[at + kAovPosition + 1], aovs[at + kAovPosition + 2]);
+    const double expected = radianceAt(position, photons, flux, 80);
+    const double error = std::abs(aovs[at + kAovMapLight + 3] / expected - 1);
+    EXPECT_LT(error, 0.2) << "at " << position.x << ", " << position.z;
+    atEdge += error > 1e-3 ? 1 : 0;
+  }
+  EXPECT_GT(compared, 20);
+  EXPECT_LE(atEdge, 2);
+}
+
+/// A lamp that all but touches the plane: no grid tells its photons apart.
+Scene lampOnPlane() {
+  SceneBuilder builder;
+  builder.square(builder.material(test::diffuse(vec3(kAlbedo))), {0, 0, 0}, {0, 1, 0}, 2);
+  builder.directionalLight({0, -1, 0}, vec3(0.1f));
+  builder.pointLight({0.1, 1e-7, 0}, vec3(0.1f));
+  builder.camera({0, 2, 0}, {0, 0, 0}, 0.5, 24, 24, {0, 0, -1});
+  return builder.finish();
+}
+
+TEST_F(NearestPhotons, OfManyInOnePlaceAreTheSameEveryTime) {
+  const Scene scene = lampOnPlane();
+  const auto light = [&] {
+    test::MapRig rig(context(), scene, nearestJob(1u << 17, 80));
+    const PhotonMap map = rig.shoot(MapKind::global, DensityControl::off, 0);
+    const std::vector<MapPoint> photons = rig.photons(map);
+    const auto near = std::count_if(photons.begin(), photons.end(), [](const MapPoint& p) {
+      return glm::distance(p.position, vec3(0.1f, 0, 0)) < 1e-5f;
+    });
+    EXPECT_GT(near, 20'000);
+    return rig.aovs(map);
+  };
+  const std::vector<float> first = light(), second = light();
+  EXPECT_EQ(std::memcmp(first.data(), second.data(), first.size() * sizeof(float)), 0);
+  for (std::size_t at = 0; at < first.size(); at += kAovFloats) EXPECT_GT(first[at + kAovMapLight + 3], 0);
 }
 
 /// A dim floor above a wall on which a spot light leaves some hundred times as many photons.

@@ -35,7 +35,8 @@ print(json.dumps({"benchmarks": [run]}))
 IMPORTON = """#!/usr/bin/env python3
 import json, os, sys
 words = sys.argv[1:]
-kernels = [{"label": "trace closest", "total_ms": 500}, {"label": "a new kernel", "total_ms": 1500}]
+kernels = [{"label": "trace closest", "total_ms": 500, "compile_ms": 20},
+           {"label": "a new kernel", "total_ms": 1500, "compile_ms": 30}]
 cold = "MESA_SHADER_CACHE_DIR" in os.environ and not os.listdir(os.environ["MESA_SHADER_CACHE_DIR"])
 if cold: open(os.environ["MESA_SHADER_CACHE_DIR"] + "/kernel", "w")
 phases = {name: 0.25 for name in ("load", "bvh", "device", "importance", "photons", "gather")}
@@ -66,6 +67,11 @@ class ExperimentTables(unittest.TestCase):
 
     def test_rates_stand_beside_embrees_where_it_ran(self):
         self.assertIn("| cornell_box | 36 | 20.0 | 0.75 | 10.0 | – |", bench.traversal(self.programs))
+
+    def test_compiling_tells_what_is_paid_each_time_and_once(self):
+        text = renders.compiling(self.programs)
+        self.assertIn("| a new kernel | 30.0 | 0.0 |", text)
+        self.assertIn("| all | 50 | 0 |", text)
 
     def test_cutting_names_scenes_whose_tree_is_the_same(self):
         text = bench.cutting(self.programs)

@@ -125,7 +125,7 @@ TEST(CommandLine, TakesEveryOptionOfRender) {
       "--caustic-density 30 --global-density 2 "
       "--redistribute 4 --gather 3 --indirect-filter off --max-depth 5 --aov albedo,N,importance.caustic "
       "--seed 42 "
-      "--device llvm --threads 2 --memory 512 --stats s.json --validation --all-features -v");
+      "--device llvm --threads 2 --memory 512 --stats s.json --no-cache --validation --all-features -v");
   const RenderJob& job = command.job;
   EXPECT_EQ(job.png, "o.png");
   EXPECT_EQ(job.width, 320);
@@ -151,6 +151,7 @@ TEST(CommandLine, TakesEveryOptionOfRender) {
   EXPECT_EQ(job.threads, 2);
   EXPECT_EQ(job.memoryMiB, 512u);
   EXPECT_EQ(job.stats, "s.json");
+  EXPECT_TRUE(job.leavesCache);
   EXPECT_TRUE(job.validation);
   EXPECT_TRUE(job.forcesAllFeatures);
   EXPECT_EQ(command.verbosity, Log::Verbosity::verbose);

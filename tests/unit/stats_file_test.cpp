@@ -22,7 +22,7 @@ RenderStats sample() {
   stats.passes = 3;
   stats.seconds.total = 1.5;
   stats.seconds.gather = 0.25;
-  stats.kernels = {{"trace", 9, 12.5}};
+  stats.kernels = {{"trace", 9, 12.5, 3.5}};
   stats.closestRays = 12'345'678'901'234u;
   stats.importonsEmitted = 100;
   stats.photonsEmitted = 200;
@@ -62,7 +62,7 @@ TEST(StatsFile, HasTheKeysOfTheContract) {
   EXPECT_EQ(keysOf(json["image"]), (Keys{"width", "height", "passes"}));
   EXPECT_EQ(keysOf(json["seconds"]),
             (Keys{"total", "load", "bvh", "device", "importance", "cells", "photons", "gather", "resolve", "output"}));
-  EXPECT_EQ(keysOf(json["kernels"][0]), (Keys{"label", "launches", "total_ms"}));
+  EXPECT_EQ(keysOf(json["kernels"][0]), (Keys{"label", "launches", "total_ms", "compile_ms"}));
   EXPECT_EQ(keysOf(json["rays"]), (Keys{"closest", "shadow"}));
   EXPECT_EQ(keysOf(json["importons"]), (Keys{"emitted", "caustic", "global"}));
   EXPECT_EQ(keysOf(json["photons"]), (Keys{"emitted", "pilot", "caustic", "global"}));
@@ -81,6 +81,7 @@ TEST(StatsFile, HoldsTheValues) {
   EXPECT_EQ(json["image"]["passes"], 3);
   EXPECT_EQ(json["seconds"]["gather"], 0.25);
   EXPECT_EQ(json["kernels"][0]["total_ms"], 12.5);
+  EXPECT_EQ(json["kernels"][0]["compile_ms"], 3.5);
   EXPECT_EQ(json["rays"]["closest"], 12'345'678'901'234u);
   EXPECT_EQ(json["photons"]["caustic"]["redistributed"], 2);
   EXPECT_EQ(json["photons"]["caustic"]["flux_map"], (Json{1., 2., 3.}));

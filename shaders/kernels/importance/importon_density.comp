@@ -18,15 +18,6 @@ float countedDistance(Walk walk, vec3 normal, float radius) { return likeDistanc
 
 #include "lib/nearest.glsl"
 
-// Of a coarser level: a lone site among many importons settles for those that its finer level has.
-const uint kMostPassed = 4096u;
-
-uint pointsOf(Walk walk) {
-  uint points = 0u;
-  for (uint i = 0u; i < walk.ranges; ++i) points += searchRanges[i].y & 0x07FFFFFFu;
-  return points;
-}
-
 /// Γ from all importons nearer than `limit` (squared), which becomes that of the disc that was used.
 float importanceWithin(inout Walk walk, vec3 normal, float radius, inout float limit) {
   float sum = 0.0, outermost = 0.0, outerWeight = 0.0;
@@ -43,9 +34,11 @@ float importanceWithin(inout Walk walk, vec3 normal, float radius, inout float l
       outerWeight = weight;
     }
   }
-  if (count < 3u || outermost <= 0.0) return sum / (kPi * limit);
+  if (isCut || isUnfinished(walk)) atomicAdd(counters[kCounterLookupsUnfinished], 1u);
+  const float stride = float(walk.stride);
+  if (count < 3u || outermost <= 0.0) return stride * sum / (kPi * limit);
   limit = outermost;
-  return (sum - outerWeight) / (kPi * outermost);
+  return stride * (sum - outerWeight) / (kPi * outermost);
 }
 
 void main() {
@@ -57,27 +50,19 @@ void main() {
   const GridFrame frame = storedFrame();
   // From the start level on to coarser ones: its count may have been that of other cells in the same slot.
   uint levels = push.levels & ((2u << startLevels[i]) - 1u);
-  uint level = uint(findMSB(levels)), finer = level;
   Walk walk;
   float radius;
   Shell shell;
-  bool isFound = false, isSettled = false;
-  while (!isFound) {
+  bool isFound = false;
+  while (levels != 0u && !isFound) {
+    const uint level = uint(findMSB(levels));
+    levels ^= 1u << level;
     radius = gridCellEdge(frame, level);
     shell = beginShell(radius);
     walk = beginWalkLevels(frame, point.position, normal, radius, 1u << level);
-    if (isSettled) break;
-    if (level != finer && pointsOf(walk) > kMostPassed) {
-      level = finer;
-      isSettled = true;
-      continue;
-    }
+    thin(walk, mostPointsOf(push.levels));
     isFound = narrow(walk, normal, radius, push.nearest, shell);
     if (isFound) narrow(walk, normal, radius, push.nearest, shell);
-    levels ^= 1u << level;
-    if (levels == 0u) break;
-    finer = level;
-    level = uint(findMSB(levels));
   }
   float limit = isFound ? shellLimit(shell) : radius * radius;
   required[site] = importanceWithin(walk, normal, radius, limit);

@@ -14,6 +14,8 @@ layout(push_constant, scalar) uniform Push {
   uint levels;  // counter with the map's grid levels
 } push;
 
+const uint kMostPoints = 12000u;  // of the cells of a lookup
+
 /// What one photon adds to the radiance.
 vec3 photonContribution(Surface s, Bsdf b, vec3 wo, mat3 frame, uint photon, float radius) {
   const uvec4 point = gridPoint(photon);
@@ -31,12 +33,14 @@ vec3 reflectedRadiance(Surface s, vec3 direction, float radius, bool isRest) {
   if (kHasReflection && isRest) removeDiffuse(b, wo.z, left);
   vec3 sum = vec3(0.0);
   Walk walk = beginWalk(storedFrame(), counters[push.levels], s.position, s.mapNormal, radius, radius);
+  thin(walk, kMostPoints);
   bool isDone = false;
   while (!isDone) {
     const uint count = collectFound(walk, s.mapNormal, radius, isDone);
     for (uint k = 0u; k < count; ++k) sum += photonContribution(s, b, wo, frame, foundPoints[k], radius);
   }
-  return sum;
+  if (isUnfinished(walk)) atomicAdd(counters[kCounterLookupsUnfinished], 1u);
+  return float(walk.stride) * sum;
 }
 
 void main() {

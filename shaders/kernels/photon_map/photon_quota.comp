@@ -49,7 +49,7 @@ void main() {
   const vec3 normal = mapPointNormal(point.packed);
   const float radius = quotaRadius(required[i]);
   const float share = quotaAt(required[i], radius);
-  const uint quota = uint(ceil(share - 0.001));
+  const uint quota = max(uint(ceil(share - 0.001)), push.fewest + 1u);  // count so far
   const uint before = push.isBatch != 0u && push.hasStored != 0u ? neighbours[i] : 0u;
   const uint levels = counters[push.isBatch != 0u ? kCounterLevels : kCounterStoredLevels];
   const GridFrame frame = storedFrame();

@@ -31,6 +31,8 @@ class KernelSet {
     else
       return find(Call::kLabel, Call::kCode, std::nullopt);
   }
+  /// Of all kernels of the cache: gpu/kernel_cache.h.
+  [[nodiscard]] std::map<std::string, double> compileTimes() const { return cache_->compileTimes(); }
   [[nodiscard]] bool hasAlpha() const { return hasAlpha_; }
 
  private:

@@ -6,7 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <utility>
+#include <tuple>
 
 #include "gpu/context.h"
 #include "render/device/kernel_set.h"
@@ -49,7 +49,7 @@ class SharedDevices {
   void drop() { open_.clear(); }
 
  private:
-  using Asked = std::pair<std::string, bool>;  // device, validation
+  using Asked = std::tuple<std::string, bool, bool>;  // device, validation, without cache
   std::mutex mutex_;
   std::map<Asked, std::shared_ptr<OpenDevice>> open_;
 };

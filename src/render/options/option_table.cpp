@@ -289,6 +289,9 @@ Rows runOptions() {
              "cap on device memory for photon maps; past it they are\ncontrolled harder, with a warning (default: a "
              "quarter of the heap)")
           .forImage(),
+      flag(Group::machine, "--no-cache", &RenderJob::leavesCache,
+           "neither read nor write kernels that the driver has compiled, in\n$XDG_CACHE_HOME/importon or "
+           "~/.cache/importon"),
       flag(Group::machine, "--allow-outside-files", &RenderJob::allowsOutsideFiles,
            "let SCENE name buffers and images outside its folder, which\nonly a scene that you trust should"),
       flag(Group::checks, "--strict", &RenderJob::isStrict,

@@ -87,14 +87,20 @@ void PhotonMap::lookUp(const Stage& stage, const ImportanceMap& importance, uint
         stage, source,
         {.source = source, .isGlobal = isGlobal, .arePhotons = isIrradianceAtPhotons_, .levels = levelsCounter()},
         queue, importance.buffers(), SearchedGrid(grid_), buffers::Irradiance{irradiance_});
-  if (nearest_)
-    overItems<kernels::MapNearest>(
-        stage, source,
-        {.source = source, .isGlobal = isGlobal, .levels = nearest_->levels(), .nearest = nearest_->nearest()}, queue,
-        importance.buffers(), nearest_->isEmpty() ? finished() : nearest_->buffers());
-  else
+  if (!nearest_) {
     overItems<kernels::MapLookup>(stage, source, {.source = source, .isGlobal = isGlobal, .levels = levelsCounter()},
                                   queue, importance.buffers(), finished());
+    return;
+  }
+  const std::vector<uint> turns = nearest_->levelsInTurn();
+  for (std::size_t i = 0; i < turns.size(); ++i)
+    overItems<kernels::MapNearest>(stage, source,
+                                   {.source = source,
+                                    .isGlobal = isGlobal,
+                                    .levels = turns[i],
+                                    .isLast = i + 1 == turns.size(),
+                                    .nearest = nearest_->nearest()},
+                                   queue, importance.buffers(), nearest_->buffers());
 }
 
 PhotonMapCounts PhotonMap::readCounts(const Stage& stage, float fluxScale) const {
