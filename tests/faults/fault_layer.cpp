@@ -9,7 +9,6 @@
 #include <vulkan/vulkan.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -182,12 +181,12 @@ VKAPI_ATTR VkResult VKAPI_CALL createPipelineCache(VkDevice of, const VkPipeline
     std::fprintf(stderr, "%zu bytes of pipelines\n", info->initialDataSize);
     own.initialDataSize -= fault().limit;
   }
-  return next<PFN_vkCreatePipelineCache>("vkCreatePipelineCache")(of, &own, allocator, created);
+  return deviceOf(of).next<PFN_vkCreatePipelineCache>("vkCreatePipelineCache")(of, &own, allocator, created);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL getPipelineCacheData(VkDevice of, VkPipelineCache cache, std::size_t* bytes,
                                                     void* data) {
-  const auto get = next<PFN_vkGetPipelineCacheData>("vkGetPipelineCacheData");
+  const auto get = deviceOf(of).next<PFN_vkGetPipelineCacheData>("vkGetPipelineCacheData");
   if (fault().kind != "pipelines") return get(of, cache, bytes, data);
   std::size_t own = data == nullptr ? 0 : *bytes - fault().limit;
   const VkResult result = get(of, cache, &own, data);
