@@ -50,19 +50,29 @@ void main() {
   const GridFrame frame = storedFrame();
   // From the start level on to coarser ones: its count may have been that of other cells in the same slot.
   uint levels = push.levels & ((2u << startLevels[i]) - 1u);
+  const uint most = mostPointsOf(push.levels);
+  uint level = uint(findMSB(levels)), finer = level;
   Walk walk;
   float radius;
   Shell shell;
-  bool isFound = false;
-  while (levels != 0u && !isFound) {
-    const uint level = uint(findMSB(levels));
-    levels ^= 1u << level;
+  bool isFound = false, isSettled = false;
+  while (!isFound) {
     radius = gridCellEdge(frame, level);
     shell = beginShell(radius);
     walk = beginWalkLevels(frame, point.position, normal, radius, 1u << level);
-    thin(walk, mostPointsOf(push.levels));
+    thin(walk, most);
+    if (isSettled) break;
+    if (walk.stride > 1u && level != finer) {  // a lone site among many settles for those that its finer level has
+      level = finer;
+      isSettled = true;
+      continue;
+    }
     isFound = narrow(walk, normal, radius, push.nearest, shell);
     if (isFound) narrow(walk, normal, radius, push.nearest, shell);
+    levels ^= 1u << level;
+    if (levels == 0u) break;
+    finer = level;
+    level = uint(findMSB(levels));
   }
   float limit = isFound ? shellLimit(shell) : radius * radius;
   required[site] = importanceWithin(walk, normal, radius, limit);
