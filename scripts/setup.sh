@@ -15,16 +15,32 @@ ensurePackages() {
     return
   fi
   local installed
-  installed=" $(dpkg-query -W -f='${db:Status-Status}:${Package} ' "${wanted[@]}" 2> /dev/null || true)"
+  installed=" $(dpkg-query -W -f='${db:Status-Status}:${Package} ' "${wanted[@]%\?}" 2> /dev/null || true)"
   for name in "${wanted[@]}"; do
-    if [[ $installed != *" installed:$name "* ]]; then missing+=("$name"); fi
+    # shellcheck disable=SC2053  # a * in the name stands for any version
+    if [[ $installed != *" installed:"${name%\?}" "* ]]; then missing+=("$name"); fi
   done
   if ((${#missing[@]} > 0)); then installPackages "${missing[@]}"; fi
 }
 
+# releasesNames NAME...: what this release calls them, a line each: with the version of its clang for *, and without those
+# ending in ? that it has not.
+releasesNames() {
+  local name clang
+  clang=$(apt-cache depends clang 2> /dev/null | sed -n 's/^ *Depends: clang-\([0-9]*\)$/\1/p' | head -n 1)
+  for name in "$@"; do
+    name=${name/\*/$clang}
+    if [[ $name == *\? ]] && ! apt-cache show "${name%\?}" > /dev/null 2>&1; then
+      say "this release has no package ${name%\?}: going on without"
+    else
+      printf '%s\n' "${name%\?}"
+    fi
+  done
+}
+
 # installPackages NAME...: by apt-get, as root or with sudo; its words go to a log that a failure points to.
 installPackages() {
-  local byHand="apt-get install $*" log apt=(env DEBIAN_FRONTEND=noninteractive apt-get -q -y)
+  local byHand="apt-get install $*" log names apt=(env DEBIAN_FRONTEND=noninteractive apt-get -q -y)
   if ((EUID != 0)); then
     command -v sudo > /dev/null ||
       fail "cannot install Debian packages (neither root nor sudo): run as root: $byHand"
@@ -32,10 +48,13 @@ installPackages() {
   fi
   apt+=(-o DPkg::Lock::Timeout=300 -o Acquire::Retries=3)
   log=$(mktemp)
-  say "installing $*"
   "${apt[@]}" update >> "$log" 2>&1 || say "the package lists could not be updated; going on with the present ones"
-  "${apt[@]}" install --no-install-recommends "$@" >> "$log" 2>&1 ||
-    fail "cannot install Debian packages ($(grep '^E:' "$log" | tail -n 1), log in $log): by hand: $byHand"
+  mapfile -t names < <(releasesNames "$@")
+  if ((${#names[@]} > 0)); then
+    say "installing ${names[*]}"
+    "${apt[@]}" install --no-install-recommends "${names[@]}" >> "$log" 2>&1 ||
+      fail "cannot install Debian packages ($(grep '^E:' "$log" | tail -n 1), log in $log): by hand: $byHand"
+  fi
   rm -f "$log"
 }
 

@@ -6,7 +6,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 mkdir -p "$folder/bin" "$folder/sources/scripts"
 cp "$sources/scripts/setup.sh" "$folder/sources/scripts/"
-printf '# a comment\nrun driver\nbuild compiler\ntest oracle\n' > "$folder/sources/scripts/packages.txt"
+printf '# a comment\nrun driver\nbuild compiler\ntest oracle\nrelease browser?\nrelease runtime-*-dev\n' > "$folder/sources/scripts/packages.txt"
 failures=0
 
 # standIn NAME BODY: a command that notes its arguments in $folder/calls, then runs BODY.
@@ -47,6 +47,18 @@ check "one missing: no error" test "$status" = 0
 check "one missing: it alone is installed" grep -q 'apt-get .*install --no-install-recommends oracle$' "$folder/calls"
 check "one missing: it is said" grep -q '^importon: installing oracle$' "$folder/err"
 check "one missing: stdout stays empty" test ! -s "$folder/out"
+
+# Releases differ: the version of clang, and packages that are not everywhere.
+standIn apt-cache '[[ $1 == depends ]] && printf "clang\n  Depends: clang-19\n"; [[ $1 == show ]] && exit 100; exit 0'
+setup ensurePackages release
+check "of another release: no error" test "$status" = 0
+check "of another release: the runtime of its clang" \
+  grep -q 'apt-get .*install --no-install-recommends runtime-19-dev$' "$folder/calls"
+check "of another release: what it has not is said" grep -q 'no package browser: going on without' "$folder/err"
+standIn apt-cache '[[ $1 == depends ]] && printf "clang\n  Depends: clang-14\n"; exit 0'
+setup ensurePackages release
+check "of this release: both" \
+  grep -q 'apt-get .*install --no-install-recommends browser runtime-14-dev$' "$folder/calls"
 
 standIn apt-get 'echo "E: no such package"; exit 100'
 setup ensurePackages test

@@ -123,7 +123,7 @@ TEST_F(SeveralDevices, MakeWhatMergeMakesOfTheirParts) {
 }
 
 /// Light is shared once, over the film of both: the same mean as of parts that share it each.
-TEST_F(SeveralDevices, ShareLightOverTheWholeFilm) {
+TEST_F(SeveralDevices, SlowShareLightOverTheWholeFilm) {
   const std::string a = folder_ / "a.exr", b = folder_ / "b.exr", m = folder_ / "m.exr";
   ASSERT_EQ(run(small(a, {"--device", "0", "--passes", "4"})).status, 0);
   ASSERT_EQ(run(small(b, {"--device", "1", "--passes", "4", "--seed", kSecondSeed})).status, 0);
@@ -150,7 +150,7 @@ TEST_F(SeveralDevices, OfWhichThereIsOneRenderAsUsual) {
 }
 
 /// One pass: the second device has nothing to do, and is not opened.
-TEST_F(SeveralDevices, AreNoMoreThanThePasses) {
+TEST_F(SeveralDevices, SlowAreNoMoreThanThePasses) {
   const Image image = render({"--passes", "1", "--device", "all", "--stats", statsFile()});
   EXPECT_EQ(stats()["devices"].size(), 1u);
   EXPECT_TRUE(haveSameValues(image, render({"--passes", "1"})));
@@ -173,26 +173,26 @@ TEST_F(SeveralDevices, StandInTheStatistics) {
 }
 
 /// A pass on each makes both halves, of which the error is estimated.
-TEST_F(SeveralDevices, MakeBothHalvesInAPassEach) {
+TEST_F(SeveralDevices, SlowMakeBothHalvesInAPassEach) {
   (void)render({"--passes", "2", "--device", "all", "--stats", statsFile()});
   EXPECT_TRUE(stats()["error"].contains("estimated")) << stats()["error"];
 }
 
-TEST_F(SeveralDevices, StopTogetherAtTheErrorOfTheirImage) {
+TEST_F(SeveralDevices, SlowStopTogetherAtTheErrorOfTheirImage) {
   (void)render({"--error", "0.2", "--device", "all", "--stats", statsFile()});
   const nlohmann::json all = stats();
   EXPECT_LE(all["error"]["estimated"], 0.2);
   EXPECT_EQ(all["devices"][0]["passes"], all["devices"][1]["passes"]);
 }
 
-TEST_F(SeveralDevices, KeepATime) {
+TEST_F(SeveralDevices, SlowKeepATime) {
   (void)render({"--time", "3", "--device", "all", "--stats", statsFile()});
   const nlohmann::json all = stats();
   EXPECT_LT(all["seconds"]["total"], 5);
   for (const auto& device : all["devices"]) EXPECT_GE(device["passes"], 1);
 }
 
-TEST_F(SeveralDevices, GoOnFromACheckpoint) {
+TEST_F(SeveralDevices, SlowGoOnFromACheckpoint) {
   const Image whole = render({"--passes", "8", "--device", "all"});
   const std::string state = folder_ / "o.state";
   (void)render({"--passes", "5", "--device", "all", "--checkpoint", state});
@@ -217,7 +217,7 @@ test::RunOptions interruptAt(const std::string& text) {
   return options;
 }
 
-TEST_F(SeveralDevices, StopAtAnInterruptWithTheImageSoFar) {
+TEST_F(SeveralDevices, SlowStopAtAnInterruptWithTheImageSoFar) {
   const Outcome outcome =
       run(small(folder_ / "o.exr", {"--passes", "1000000", "--device", "all"}), "", interruptAt("pass 6/"));
   EXPECT_EQ(outcome.status, 130) << outcome.err;
@@ -225,7 +225,7 @@ TEST_F(SeveralDevices, StopAtAnInterruptWithTheImageSoFar) {
 }
 
 /// An interrupt may find one device a pass ahead of the other.
-TEST_F(SeveralDevices, GoOnFromAnInterruptToTheSameBits) {
+TEST_F(SeveralDevices, SlowGoOnFromAnInterruptToTheSameBits) {
   const Words error{"--error", "0.1", "--device", "all"};
   const Image whole = render(error);
   const std::string state = folder_ / "o.state";
@@ -251,7 +251,7 @@ TEST_F(SeveralDevices, LeaveOutOneThatIsLost) {
   }
 }
 
-TEST_F(SeveralDevices, LeaveOutTheFirstIfItIsLost) {
+TEST_F(SeveralDevices, SlowLeaveOutTheFirstIfItIsLost) {
   const Image alone = render({"--passes", "6", "--device", "1", "--seed", kSecondSeed});
   const Image image = render({"--passes", "6", "--device", "all"}, "lost 60 0");
   EXPECT_EQ(image.attributes, alone.attributes);
@@ -259,7 +259,7 @@ TEST_F(SeveralDevices, LeaveOutTheFirstIfItIsLost) {
 }
 
 /// One that was lost begins anew when the render goes on, and catches up before the error is estimated again.
-TEST_F(SeveralDevices, GoOnWithOneThatWasLost) {
+TEST_F(SeveralDevices, SlowGoOnWithOneThatWasLost) {
   const Image whole = render({"--passes", "8", "--device", "all"});
   const std::string state = folder_ / "o.state";
   (void)render({"--passes", "4", "--device", "all", "--checkpoint", state}, "lost 45 1");
@@ -279,7 +279,7 @@ TEST_F(SeveralDevices, AreAnErrorIfAllAreLost) {
 }
 
 /// In a batch, a lost device is opened anew for the next picture.
-TEST_F(SeveralDevices, AreAllThereAgainForTheNextPicture) {
+TEST_F(SeveralDevices, SlowAreAllThereAgainForTheNextPicture) {
   test::writeFile(folder_ / "jobs.txt", "\"" + kCornellBox + "\" -o one.exr\n\"" + kCornellBox +
                                             "\" -o two.exr --integrator path --max-depth 1 --stats two.json\n");
   const std::string out = folder_ / "out";

@@ -99,7 +99,7 @@ Rows methodOptions() {
              "longest path, in scattering events")
           .forImage(),
       number(Group::method, "--seed", "N", &RenderJob::seed, wholeNumber(0, kMostSeed, ""),
-             "same seed, device and options: the same bits")
+             "same seed and options: the same bits")
           .everyday()};
 }
 
