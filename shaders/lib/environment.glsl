@@ -10,7 +10,8 @@
 
 /// Place of a direction in the map, 0 .. 1 from the left and from the top.
 vec2 environmentPlace(vec3 direction) {
-  return vec2(0.5 + portableAtan(direction.x, -direction.z) / (2.0 * kPi), portableAcos(clamp(direction.y, -1.0, 1.0)) / kPi);
+  const float azimuth = portableAtan(direction.x, -direction.z), polar = portableAcos(clamp(direction.y, -1.0, 1.0));
+  return vec2(0.5 + azimuth / (2.0 * kPi), polar / kPi);
 }
 
 vec3 environmentRadianceAt(ivec2 texel, uvec2 size) {
@@ -55,7 +56,8 @@ vec3 sampleEnvironment(vec2 u, out float pdf) {
   const uint row = drawAlias(0u, size.y, u.y);
   const uint column = drawAlias(size.y + row * size.x, size.x, u.x);
   pdf = uintBitsToFloat(environmentTexel(row * size.x + column).w);
-  const float top = portableCos(kPi * float(row) / float(size.y)), bottom = portableCos(kPi * float(row + 1u) / float(size.y));
+  const float top = portableCos(kPi * float(row) / float(size.y));
+  const float bottom = portableCos(kPi * float(row + 1u) / float(size.y));
   const float y = mix(top, bottom, u.y), r = sqrt(max(0.0, 1.0 - y * y));
   const float phi = 2.0 * kPi * ((float(column) + u.x) / float(size.x) - 0.5);
   const vec2 turn = portableCosSin(phi);

@@ -33,7 +33,8 @@ vec3 interference(float difference, vec3 shift) {
   const vec3 height = vec3(5.4856e-13, 4.4201e-13, 5.2481e-13), middle = vec3(1.6810e6, 1.7953e6, 2.2084e6);
   const vec3 width = vec3(4.3278e9, 9.3046e9, 6.6121e9);
   vec3 xyz = height * sqrt(2.0 * kPi * width) * portableCos(middle * phase + shift) * portableExp(-square * width);
-  xyz.x += 9.7470e-14 * sqrt(2.0 * kPi * 4.5282e9) * portableCos(2.2399e6 * phase + shift.x) * portableExp(-square * 4.5282e9);
+  xyz.x += 9.7470e-14 * sqrt(2.0 * kPi * 4.5282e9) * portableCos(2.2399e6 * phase + shift.x) *
+           portableExp(-square * 4.5282e9);
   xyz /= 1.0685e-7;
   return vec3(dot(vec3(3.2404542, -1.5371385, -0.4985314), xyz), dot(vec3(-0.9692660, 1.8760108, 0.0415560), xyz),
               dot(vec3(0.0556434, -0.2040259, 1.0572252), xyz));

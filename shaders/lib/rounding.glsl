@@ -33,8 +33,8 @@ void advanceRoot(uint step, inout uint q, inout uint left) {
 float quotientNear(float a, float b, float ratio) {
   const uint m = significandOf(a), n = significandOf(b);
   const bool isLow = m < n;
-  // A bit more than a float has, rounded down: 2^24 .. 2^25. From below, so that all steps are upwards; no loop, as some
-  // drivers count turns.
+  // A bit more than a float has, rounded down: 2^24 .. 2^25. From below, so that all steps are upwards; no loop, as
+  // some drivers count turns.
   uint q = uint(ratio * (isLow ? 33554432.0 : 16777216.0)) - 32u;
   uint left = (m << (isLow ? 25 : 24)) - q * n;  // modulo 2^32; less than 64 n
   advanceQuotient(n, 32u, q, left);

@@ -39,7 +39,8 @@ float sheenFit(float x, float alpha) {
 
 /// [Estevez and Kulla 2017, eq. 3]
 float sheenLambda(float cosine, float alpha) {
-  return portableExp(cosine < 0.5 ? sheenFit(cosine, alpha) : 2.0 * sheenFit(0.5, alpha) - sheenFit(1.0 - cosine, alpha));
+  return portableExp(cosine < 0.5 ? sheenFit(cosine, alpha)
+                                  : 2.0 * sheenFit(0.5, alpha) - sheenFit(1.0 - cosine, alpha));
 }
 
 /// Reflection, times cosine. Charlie's distribution: [Estevez and Kulla 2017, eq. 2]

@@ -22,7 +22,8 @@ const float kLeastStep = 9.5367431640625e-7;  // 2^-20 of the scene: no footprin
 /// Logarithm of what a smooth surface sends on where light meets it at this cosine.
 float logSpecular(Bsdf b, DrawnLobe lobe, float cosine) {
   if (lobe.isCoat) return portableLog(fresnelSchlick(vec3(kCoatF0), 1.0, cosine).x);
-  return portableLog(max(lobe.isTransmission ? 1.0 - mean(clearFresnel(b, cosine)) : mean(bsdfFresnel(b, cosine)), 1e-6));
+  const float share = lobe.isTransmission ? 1.0 - mean(clearFresnel(b, cosine)) : mean(bsdfFresnel(b, cosine));
+  return portableLog(max(share, 1e-6));
 }
 
 void bend(inout PathDifferential d, Surface s, NormalField field, Bsdf b, vec3 wo, vec3 direction, float uLobe,

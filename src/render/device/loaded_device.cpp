@@ -60,8 +60,7 @@ std::shared_ptr<LoadedDevice> SharedDevices::load(const FeatureSet& features, co
   const Asked asked{job.device, job.validation, job.leavesCache};
   std::erase_if(open_, [](const auto& entry) { return entry.second->context.isLost(); });
   auto found = open_.find(asked);
-  if (found == open_.end())
-    found = open_.emplace(asked, std::make_shared<OpenDevice>(contextOptions(job))).first;
+  if (found == open_.end()) found = open_.emplace(asked, std::make_shared<OpenDevice>(contextOptions(job))).first;
   const std::shared_ptr<OpenDevice>& open = found->second;
   if (open->kernels->size() > kMostKernels) open->kernels->clear();
   return std::make_shared<LoadedDevice>(open, features, job);

@@ -127,8 +127,7 @@ class Builder {
     const vec3 centre = 0.5f * b.low + 0.5f * b.high;
     const float radius = b.isInfinite ? std::numeric_limits<float>::infinity() : 0.5f * glm::length(b.high - b.low);
     // The axis is rounded when packed: by less than this.
-    const float cosCone =
-        portableCos(std::min(portableAcos(std::clamp(b.cosCone, -1.0f, 1.0f)) + 1e-3f, kFloatPi));
+    const float cosCone = portableCos(std::min(portableAcos(std::clamp(b.cosCone, -1.0f, 1.0f)) + 1e-3f, kFloatPi));
     texels.emplace_back(std::bit_cast<uint>(centre.x), std::bit_cast<uint>(centre.y), std::bit_cast<uint>(centre.z),
                         std::bit_cast<uint>(radius));
     texels.emplace_back(std::bit_cast<uint>(b.power), packNormal(b.axis), std::bit_cast<uint>(cosCone), node.content);
