@@ -18,10 +18,10 @@ float countedDistance(Walk walk, vec3 normal, float radius) { return likeDistanc
 
 #include "lib/nearest.glsl"
 
-/// Γ from all importons nearer than `limit` (squared), which becomes that of the disc that was used.
-float importanceWithin(inout Walk walk, vec3 normal, float radius, inout float limit) {
+/// Γ from all importons nearer than `limit` (squared), which becomes that of the disc that was used. `count`: of them.
+float importanceWithin(inout Walk walk, vec3 normal, float radius, inout float limit, out uint count) {
   float sum = 0.0, outermost = 0.0, outerWeight = 0.0;
-  uint count = 0u;
+  count = 0u;
   restartWalk(walk);
   while (nextPoint(walk)) {
     const float d2 = likeDistance(walk, normal, radius);
@@ -49,32 +49,30 @@ void main() {
   const vec3 normal = mapPointNormal(point.packed);
   const GridFrame frame = storedFrame();
   // From the start level on to coarser ones: its count may have been that of other cells in the same slot.
-  uint levels = push.levels & ((2u << startLevels[i]) - 1u);
-  const uint most = mostPointsOf(push.levels);
-  uint level = uint(findMSB(levels)), finer = level;
+  uint levels = push.levels & ((2u << startLevels[i]) - 1u), count;
+  const uint first = 1u << uint(findMSB(levels)), most = mostPointsOf(push.levels);
   Walk walk;
-  float radius;
-  Shell shell;
-  bool isFound = false, isSettled = false;
-  while (!isFound) {
-    radius = gridCellEdge(frame, level);
-    shell = beginShell(radius);
-    walk = beginWalkLevels(frame, point.position, normal, radius, 1u << level);
-    thin(walk, most);
-    if (isSettled) break;
-    if (walk.stride > 1u && level != finer) {  // a lone site among many settles for those that its finer level has
-      level = finer;
-      isSettled = true;
-      continue;
+  float radius, limit, importance;
+  bool isSettled;
+  do {
+    isSettled = levels == first;  // none but this level
+    Shell shell;
+    bool isFound = false;
+    while (levels != 0u && !isFound) {
+      const uint level = uint(findMSB(levels));
+      levels ^= 1u << level;
+      radius = gridCellEdge(frame, level);
+      shell = beginShell(radius);
+      walk = beginWalkLevels(frame, point.position, normal, radius, 1u << level);
+      thin(walk, most);
+      isFound = narrow(walk, normal, radius, push.nearest, shell);
+      if (isFound) narrow(walk, normal, radius, push.nearest, shell);
     }
-    isFound = narrow(walk, normal, radius, push.nearest, shell);
-    if (isFound) narrow(walk, normal, radius, push.nearest, shell);
-    levels ^= 1u << level;
-    if (levels == 0u) break;
-    finer = level;
-    level = uint(findMSB(levels));
-  }
-  float limit = isFound ? shellLimit(shell) : radius * radius;
-  required[site] = importanceWithin(walk, normal, radius, limit);
+    limit = isFound ? shellLimit(shell) : radius * radius;
+    importance = importanceWithin(walk, normal, radius, limit, count);
+    levels = first;
+    // A lone site whose neighbours were thinned away settles for those that its first level has: at least itself.
+  } while (walk.stride > 1u && count < 3u && !isSettled);
+  required[site] = importance;
   if (kImportanceBound != kBoundNone) bounds[site] = limit;  // for importon_bound.comp
 }
