@@ -27,7 +27,7 @@ ensurePackages() {
 # ending in ? that it has not.
 releasesNames() {
   local name clang
-  clang=$(apt-cache depends clang 2> /dev/null | sed -n 's/^ *Depends: clang-\([0-9]*\)$/\1/p' | head -n 1)
+  clang=$(apt-cache depends clang 2> /dev/null | sed -n 's/^ *Depends: clang-\([0-9]*\)$/\1/p' | head -n 1) || true
   for name in "$@"; do
     name=${name/\*/$clang}
     if [[ $name == *\? ]] && ! apt-cache show "${name%\?}" > /dev/null 2>&1; then
