@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "base/error.h"
 #include "render/features/feature_set.h"
 #include "render/options/gather_source.h"
 #include "scene/studio.h"
@@ -47,6 +46,7 @@ void addKernels(std::vector<KernelStats>& sum, const std::vector<KernelStats>& o
     }
     found->launches += kernel.launches;
     found->milliseconds += kernel.milliseconds;
+    found->compileMilliseconds += kernel.compileMilliseconds;
   }
 }
 
@@ -60,10 +60,7 @@ constexpr std::array kMeans{&PhaseSeconds::importance, &PhaseSeconds::cells, &Ph
 void checkUnfinished(std::span<const uint> counters, Log& log) {
   if (counters[kCounterTraceUnfinished] > 0)
     log.warn("rays given up", fmt::format("{} rays were too long for this device", counters[kCounterTraceUnfinished]));
-  if (counters[kCounterLookupsUnfinished] > 0)
-    throw DeviceError(fmt::format("{} lookups of photons or importons were too long for this device",
-                                  counters[kCounterLookupsUnfinished]),
-                      "", "choose another with --device, or fewer --photons");
+  checkLookups(counters[kCounterLookupsUnfinished]);
   if (counters[kCounterMediaForgotten] > 0)
     log.warn("solids in solids", fmt::format("{} times a path was in more than {} solids at once; the outermost was "
                                              "left out of account",

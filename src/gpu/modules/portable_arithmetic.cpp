@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "gpu/spirv_words.h"
+
 namespace importon::gpu {
 namespace {
 
@@ -17,8 +19,6 @@ struct FloatType {
   Id component;         // itself, if a scalar
   std::uint32_t count;  // components or columns
 };
-
-bool isType(SpvOp operation) { return operation >= SpvOpTypeVoid && operation <= SpvOpTypeForwardPointer; }
 
 /// Types and constants of a module, with those that are asked for and that it lacks.
 class Declarations {
@@ -54,7 +54,7 @@ class Declarations {
     const auto functions = std::ranges::find(module_.declarations, SpvOpFunction, &Instruction::operation);
     module_.declarations.insert(functions, added_.begin(), added_.end());
     const auto types =
-        std::ranges::find_if(module_.declarations, [](const Instruction& i) { return isType(i.operation); });
+        std::ranges::find_if(module_.declarations, [](const Instruction& i) { return declaresType(i.operation); });
     module_.declarations.insert(types, decorations.begin(), decorations.end());
   }
 

@@ -16,6 +16,7 @@
 #include "render/importance/importon_pass.h"
 #include "render/lists/lists.h"
 #include "render/lists/room.h"
+#include "shared/ray_data.h"
 
 namespace importon {
 namespace {
@@ -87,6 +88,7 @@ void buildMap(const Stage& stage, ImportanceMap& map, MapKind kind, uint nearest
                                   buffers::Importance{map.bound});
   stage.recorder.submitAndWait();
   map.levels = readCounter(stage, kCounterLevels);
+  checkLookups(readCounter(stage, kCounterLookupsUnfinished));  // passes begin with counters of 0
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 #include "render/lists/counters.h"
 
+#include <fmt/format.h>
+
+#include "base/error.h"
 #include "kernels/add_counter.h"
 #include "kernels/set_counter.h"
 
@@ -11,6 +14,12 @@ void setCounter(const Stage& stage, uint counter, uint value, uint a, uint b, ui
 
 void addCounter(const Stage& stage, uint counter, uint sum, bool empties) {
   run<kernels::AddCounter>(stage, 1, {.counter = counter, .sum = sum, .empties = empties});
+}
+
+void checkLookups(uint unfinished) {
+  if (unfinished > 0)
+    throw DeviceError(fmt::format("{} lookups of photons or importons were too long for this device", unfinished), "",
+                      "choose another with --device, or fewer --photons");
 }
 
 }  // namespace importon
