@@ -85,7 +85,7 @@ void addCounter(const Stage& stage, uint counter, uint sum, bool empties = false
   return stage.work.counters.download<uint>(1, counter * sizeof(uint)).front();
 }
 
-/// Throws DeviceError if the device has ended lookups too early: `unfinished` of them, as kCounterLookupsUnfinished says.
+/// Throws DeviceError if the device has ended lookups too early: so many, as kCounterLookupsUnfinished says.
 void checkLookups(uint unfinished);
 
 }  // namespace importon
