@@ -4,10 +4,10 @@ to it; `--into FOLDER` puts them there instead. Needs Python 3 only, and gives t
 import argparse
 import pathlib
 
-from generator import cornell_box, door_slit, gallery, glass_ball, glass_caustic, pool, ring, rooms
+from generator import cornell_box, door_slit, gallery, glass_ball, glass_caustic, pool, ring, rooms, window
 
 SCENES = {module.NAME: module for module in (cornell_box, glass_ball, glass_caustic, rooms, door_slit, gallery, ring,
-                                          pool)}
+                                          pool, window)}
 
 
 def main():

@@ -47,6 +47,14 @@ def glass(ior, attenuation_color=None, attenuation_distance=1.0):
             "texture": None, "texture_size": 1.0}
 
 
+def pane(ior=1.5):
+    """A smooth thin dielectric: light goes straight through it."""
+    extensions = {"KHR_materials_transmission": {"transmissionFactor": 1.0}, "KHR_materials_ior": {"ior": ior}}
+    return {"gltf": {"pbrMetallicRoughness": {"baseColorFactor": [1.0, 1.0, 1.0, 1.0], "metallicFactor": 0.0,
+                                              "roughnessFactor": 0.0}, "extensions": extensions},
+            "texture": None, "texture_size": 1.0}
+
+
 class GltfScene:
     """Collects materials, meshes, nodes and a camera, then writes them."""
 
@@ -73,6 +81,25 @@ class GltfScene:
                                      "extras": {"width": width, "height": height}})
         self.node({"name": "Camera", "camera": len(self.json["cameras"]) - 1, "translation": list(position),
                    "rotation": look_at(position, target)})
+
+    def sun(self, irradiance, direction):
+        """Light along `direction`, W/m² across it."""
+        strength = max(irradiance)
+        self._extension("KHR_lights_punctual")["lights"] = [
+            {"name": "Sun", "type": "directional", "color": [round(c / strength, 9) for c in irradiance],
+             "intensity": strength}]
+        self.node({"name": "Sun", "rotation": look_at((0.0, 0.0, 0.0), direction),
+                   "extensions": {"KHR_lights_punctual": {"light": 0}}})
+
+    def image_light(self, faces, intensity):
+        """Light from all around, by six pictures: +x, -x, +y, -y, +z, -z."""
+        images = self.json.setdefault("images", [])
+        indices = [len(images) + k for k in range(6)]
+        images.extend({"uri": uri} for uri in faces)
+        self._extension("EXT_lights_image_based")["lights"] = [
+            {"intensity": intensity, "irradianceCoefficients": [[0.0, 0.0, 0.0]] * 9, "specularImageSize": 32,
+             "specularImages": [indices]}]
+        self.json["scenes"][0]["extensions"] = {"EXT_lights_image_based": {"light": 0}}
 
     def mesh(self, name, parts, is_closed=True):
         """Adds a mesh with one primitive for each of `parts` ({material: Mesh}); returns its index."""
@@ -109,10 +136,14 @@ class GltfScene:
     def write(self, folder):
         self.json["buffers"] = [{"uri": f"{self.name}.bin", "byteLength": len(self.data)}]
         used = {e for m in self.json["materials"] for e in m.get("extensions", {})}
+        used |= set(self.json.get("extensions", {}))
         self.json["extensionsUsed"] = sorted(used)
         folder.mkdir(parents=True, exist_ok=True)
         (folder / f"{self.name}.bin").write_bytes(self.data)
         (folder / f"{self.name}.gltf").write_text(_readable(self.json), encoding="utf-8")
+
+    def _extension(self, name):
+        return self.json.setdefault("extensions", {}).setdefault(name, {})
 
     def _primitive(self, material, mesh):
         size = self.materials[material]["texture_size"]

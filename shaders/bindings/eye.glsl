@@ -39,17 +39,22 @@ void addBackground(uint slot, PathState path) {
   pathLight[slot].gathers = kSawBackground;
 }
 
+/// Where the path's direction was drawn, which panes have not changed since. `since`: m, from there to the ray.
+vec3 lastVertex(Ray ray, float since) { return kHasPanes ? ray.origin - since * ray.direction : ray.origin; }
+
 void addEnvironment(uint slot, PathState path, Ray ray) {
   if (isLeftToMaps(path) || params.environmentLight == kNone) return;
   float weight = 1.0;
   if (path.pdfSolidAngle > 0.0) {
-    const float chosen = lightProbability(params.lightCount, params.environmentLight, ray.origin, path.lightWeight);
+    const vec3 from = lastVertex(ray, path.distance);
+    const float chosen = lightProbability(params.lightCount, params.environmentLight, from, path.lightWeight);
     weight = powerHeuristic(path.pdfSolidAngle, chosen * pdfEnvironment(ray.direction));
   }
   addFound(slot, path, environmentRadiance(ray.direction) * weight);
 }
 
-void addEmission(uint slot, PathState path, Ray ray, Hit hit, Surface s) {
+/// `since`: as lastVertex.
+void addEmission(uint slot, PathState path, Ray ray, Hit hit, Surface s, float since) {
   if ((s.flags & kMaterialUnlit) != 0u) {
     if ((path.flags & kPathScattered) == 0u) addFound(slot, path, s.baseColor);  // seen, but no light source
     return;
@@ -59,9 +64,10 @@ void addEmission(uint slot, PathState path, Ray ray, Hit hit, Surface s) {
   if (path.pdfSolidAngle > 0.0) {
     const uint light = lightOfTriangle(hit.triangle);
     const float cosine = abs(dot(ray.direction, s.geometricNormal));
+    const float t = kHasPanes ? since + hit.t : hit.t;
     if (light != kNone)
-      weight = powerHeuristic(path.pdfSolidAngle, pdfTriangleLight(params.lightCount, light, ray.origin,
-                                                                   path.lightWeight, hit.t, cosine));
+      weight = powerHeuristic(path.pdfSolidAngle, pdfTriangleLight(params.lightCount, light, lastVertex(ray, since),
+                                                                   path.lightWeight, t, cosine));
   }
   addFound(slot, path, s.emission * weight);
 }
@@ -177,7 +183,9 @@ void beginGather(uint slot, PathState path, Surface s, Bsdf b) {
 }
 
 /// Samples the next direction. After a global lookup only a specular event goes on. False: the path ends.
-bool scatterEye(uint slot, inout PathState path, Surface s, Bsdf b, mat3 frame, Ray ray, bool hasRead, out Ray next) {
+/// `lightWeight`: what the path had before light was sampled here.
+bool scatterEye(uint slot, inout PathState path, Surface s, Bsdf b, mat3 frame, Ray ray, bool hasRead,
+                float lightWeight, out Ray next) {
   const vec2 choice = eyePoint(path, kPairLobe);
   const BsdfSample sampled = sampleBsdf(b, -ray.direction * frame, choice.x, eyePoint(path, kPairScatter));
   const vec3 wi = frame * sampled.wi;
@@ -198,9 +206,12 @@ bool scatterEye(uint slot, inout PathState path, Surface s, Bsdf b, mat3 frame, 
     if (!(choice.y < survival)) return false;
     path.throughput /= survival;
   }
-  if (isSpecular) {
+  if (passesPane(s, sampled)) {
+    path.lightWeight = lightWeight;
+  } else if (isSpecular) {
     path.flags |= kPathSpecular;
     path.pdfSolidAngle = (path.flags & kPathScattered) == 0u ? sampled.pdf : 0.0;
+    if ((path.flags & kPathScattered) == 0u) path.distance = 0.0;
   } else {
     if ((path.flags & kPathScattered) != 0u) path.flags |= kPathDeep;
     path.flags = (path.flags & ~kPathSpecular) | kPathScattered;

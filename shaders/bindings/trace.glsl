@@ -1,5 +1,6 @@
-// The main function of the traversal kernels. A kernel defines `uvec4 instanceTexel(uint)` and `bool acceptHit(uint
-// stored, uint number, vec2 barycentrics, uint rayId)` and includes this file.
+// The main function of the traversal kernels. A kernel defines `uvec4 instanceTexel(uint)`, `bool acceptHit(uint
+// stored, uint number, vec2 barycentrics, uint rayId)`, `void startRay(vec3 direction)`, `void endRay(uint slot, bool
+// isFree)` and kMaxTurns, and includes this file.
 //
 // An invocation traces one ray after the other, so that the lanes of a SIMD group stay busy although rays differ in
 // length: every few steps, those that are done take the next rays of the queue. Any number of invocations does; those
@@ -25,9 +26,9 @@ uvec4 bvhNodeTexel(uint index) { return texelFetch(bvhTexels, int(index)); }
 #include "lib/traverse.glsl"
 
 const uint kStepsPerTurn = 2u;
-// Lavapipe ends all loops of an invocation after 65535 iterations in total, a turn being kStepsPerTurn + 1 of them.
-// New rays are taken up to half of that; a ray that is not done by the end is counted in kCounterTraceUnfinished.
-const uint kMaxTurns = 21000u;
+// Lavapipe ends all loops of an invocation after 65535 iterations in total, a turn being kStepsPerTurn + 1 of them, so
+// kMaxTurns is at most 21000, and less where the kernel's functions have loops. New rays are taken up to half of that;
+// a ray that is not done by the end is counted in kCounterTraceUnfinished.
 
 void main() {
   const uint count = counters[push.source];
@@ -43,13 +44,17 @@ void main() {
   bool isOver = true;
   do {
     if (isOver) {
-      if (slot != kNone) hits[slot] = traversalHit(traversal);
+      if (slot != kNone) {
+        hits[slot] = traversalHit(traversal);
+        endRay(slot, traversal.hit.triangle == kNone);
+      }
       slot = kNone;
       const uint next = turn < kMaxTurns / 2u ? atomicAdd(counters[kCounterTraceTaken], 1u) : count;
       if (next < count) {
         slot = queue[next];
         const uvec4 a = texelFetch(raysTexels, int(2u * slot)), b = texelFetch(raysTexels, int(2u * slot + 1u));
         setRay(traversal, uintBitsToFloat(a.xyz), uintBitsToFloat(b.xyz), uintBitsToFloat(a.w), b.w);
+        startRay(uintBitsToFloat(b.xyz));
         isOver = false;
       }
     }
@@ -68,6 +73,7 @@ void main() {
 
   if (slot != kNone) {
     hits[slot] = traversalHit(traversal);
+    endRay(slot, traversal.hit.triangle == kNone);
     if (!isOver) atomicAdd(counters[kCounterTraceUnfinished], 1u);
   }
   // The last one leaves the counters ready for the next dispatch.

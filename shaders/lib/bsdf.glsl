@@ -160,6 +160,12 @@ vec3 deltaWeight(Bsdf b, vec3 wo, vec3 wi, bool isCoat, float probability) {
   return f * (passed / max(probability, 1e-30));
 }
 
+/// Share of light that a smooth thin surface lets straight through to where wo leads.
+vec3 straightPassed(Bsdf b, vec3 wo) {
+  if (!b.isSmooth || !b.isThin || b.clear <= 0.0 || wo.z <= 0.0) return vec3(0.0);
+  return deltaWeight(b, wo, -wo, false, 1.0);
+}
+
 /// Draws a direction from the interface, or the coat, whichever `uLobe` falls on. The microfacet is drawn first, then
 /// whether it reflects. False: nowhere.
 bool sampleInterface(Bsdf b, vec3 wo, float uLobe, vec2 u, inout BsdfSample s) {

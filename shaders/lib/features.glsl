@@ -10,6 +10,7 @@ layout(constant_id = kSpecHasVertexColors) const bool kHasVertexColors = true;
 layout(constant_id = kSpecHasReflection) const bool kHasReflection = true;
 layout(constant_id = kSpecHasTransmission) const bool kHasTransmission = true;
 layout(constant_id = kSpecHasMedia) const bool kHasMedia = true;
+layout(constant_id = kSpecHasPanes) const bool kHasPanes = true;
 layout(constant_id = kSpecHasClearcoat) const bool kHasClearcoat = true;
 layout(constant_id = kSpecHasDiffuseTransmission) const bool kHasDiffuseTransmission = true;
 layout(constant_id = kSpecHasSheen) const bool kHasSheen = true;

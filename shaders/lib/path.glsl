@@ -89,6 +89,11 @@ float adjointFactor(Surface s, vec3 direction, float cosCame, vec3 wi, float cos
   return min(adjoint, kMaxAdjoint);
 }
 
+/// True of an event that changes neither the path's direction nor what finds its light: shadow rays pass there, too.
+bool passesPane(Surface s, BsdfSample sampled) {
+  return kHasPanes && (s.flags & kMaterialPane) != 0u && sampled.isDelta && sampled.isTransmission;
+}
+
 /// True if a sampled direction lies on the side of the geometric surface that its lobe means.
 bool isConsistent(Surface s, vec3 direction, bool isTransmission) {
   return (dot(direction, s.geometricNormal) > 0.0) != isTransmission;

@@ -19,6 +19,7 @@ SHARED_CONST uint kSpecHasMedia = 8u;  // absorbing solids
 SHARED_CONST uint kSpecHasTriangleLights = 9u;
 SHARED_CONST uint kSpecHasPunctualLights = 10u;
 SHARED_CONST uint kSpecHasEnvironment = 11u;
+SHARED_CONST uint kSpecHasPanes = 49u;  // smooth thin surfaces, which shadow rays pass
 // Rare ones: lean modules, which all scenes without any of these get, have none of their code.
 SHARED_CONST uint kSpecFirstRare = 100u;
 SHARED_CONST uint kSpecHasClearcoat = 100u;

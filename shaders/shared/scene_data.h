@@ -66,6 +66,7 @@ SHARED_CONST uint kMaterialAlphaMask = 4u;
 SHARED_CONST uint kMaterialAlphaBlend = 8u;
 SHARED_CONST uint kMaterialSolid = 16u;  // KHR_materials_volume with thickness > 0: an interface of a solid
 SHARED_CONST uint kMaterialEmissive = 32u;
+SHARED_CONST uint kMaterialPane = 64u;  // smooth and thin: what it transmits goes straight on; device only
 
 /// The glTF 2.0 metallic-roughness material and its extensions. Textures are indices into the texture
 /// array or kNone; a texture multiplies its factor as glTF says.

@@ -57,14 +57,14 @@ Bvh encodeImproved(BinaryTree& binary, std::span<const vec3> positions, std::spa
   return encode(binary, WideTree(binary, options), positions, triangles);
 }
 
-Bvh build(std::span<const vec3> positions, std::span<const Triangle> triangles, bool splits,
+Bvh build(std::span<const vec3> positions, std::span<const Triangle> triangles, const BvhOptions& asked,
           const BinaryTreeOptions& options, BuildProgress& progress) {
   if (triangles.empty()) return {{makeBvhNode({}, 0)}, 1, {}};
   bool isCut = false;
   const auto buildOver = [&](std::span<const std::uint32_t> chosen) {
     LargeVector<PrimitiveBox> boxes = makeBoxes(positions, triangles, chosen);
     const std::size_t whole = boxes.size();
-    if (splits) boxes = splitTriangles(std::move(boxes), positions, triangles, {});
+    if (asked.splits) boxes = splitTriangles(std::move(boxes), positions, triangles, {}, asked.staysWhole);
     isCut = boxes.size() > whole;
     return buildBinaryTree(std::move(boxes), options, progress);
   };
@@ -82,12 +82,12 @@ Bvh buildBvh(std::span<const vec3> positions, std::span<const Triangle> triangle
   Bvh bvh;
   tbb::task_arena arena(threadCount(options.threads));
   arena.execute([&] {
-    bvh = build(positions, triangles, options.splits, {}, progress);
+    bvh = build(positions, triangles, options, {}, progress);
     if (bvh.depth <= options.mostDepth) return;
     // A part of a triangle is a primitive, too: there are at most twice as many.
     const auto bits = static_cast<std::uint32_t>(std::bit_width(2 * triangles.size()));
     const std::uint32_t sahDepth = options.mostDepth > bits + 1 ? options.mostDepth - bits - 1 : 0;
-    bvh = build(positions, triangles, options.splits, {.sahDepth = sahDepth}, progress);
+    bvh = build(positions, triangles, options, {.sahDepth = sahDepth}, progress);
   });
   progress.finish();
   return bvh;

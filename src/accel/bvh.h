@@ -15,10 +15,11 @@
 namespace importon {
 
 struct BvhOptions {
-  int threads = 0;                                // 0: all
-  std::function<void(double fraction)> progress;  // called now and then from the calling thread; may be empty
-  bool splits = true;                             // long diagonal triangles are cut where that pays
-  std::uint32_t mostDepth = kBvhMaxDepth;         // nodes on a path, at least 32
+  int threads = 0;                                       // 0: all
+  std::function<void(double fraction)> progress;         // called now and then from the calling thread; may be empty
+  bool splits = true;                                    // long diagonal triangles are cut where that pays
+  std::uint32_t mostDepth = kBvhMaxDepth;                // nodes on a path, at least 32
+  std::function<bool(const Triangle&)> staysWhole = {};  // true of those that stand in one leaf alone; empty: none need
 };
 
 /// A BvhNode or a BvhTriangle: 48 bytes, three texels.

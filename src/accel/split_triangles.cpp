@@ -183,13 +183,15 @@ void Splitter::replace(LargeVector<PrimitiveBox>& boxes) const {
 }  // namespace
 
 LargeVector<PrimitiveBox> splitTriangles(LargeVector<PrimitiveBox> boxes, std::span<const vec3> positions,
-                                         std::span<const Triangle> triangles, const SplitOptions& options) {
+                                         std::span<const Triangle> triangles, const SplitOptions& options,
+                                         const std::function<bool(const Triangle&)>& staysWhole) {
   const Sums sums = sumUp(boxes);
   const std::size_t room = kMostParts - std::min(kMostParts, boxes.size());
   const std::size_t most = std::min(
       room, static_cast<std::size_t>(static_cast<double>(options.mostParts) * static_cast<double>(boxes.size())));
   Splitter splitter(sums.scene, positions, triangles, options);
   for (const std::uint32_t index : largerThan(options.leastWaste * sums.scene.halfArea(), boxes)) {
+    if (staysWhole && staysWhole(triangles[primitiveIndex(boxes[index])])) continue;
     splitter.add(boxes[index], index);
     if (splitter.waiting() > most) return boxes;
   }

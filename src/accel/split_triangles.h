@@ -1,5 +1,6 @@
 /// Long triangles that lie diagonally, cut into parts with boxes of their own, so that boxes are less empty.
 #pragma once
+#include <functional>
 #include <span>
 
 #include "accel/binary_tree.h"
@@ -19,11 +20,11 @@ struct SplitOptions {
 /// Boxes of parts of triangles instead of `boxes` of whole triangles, where that pays; a triangle's index may
 /// then stand with several boxes, which together hold it. Where more boxes are worth a cut than there may be
 /// cuts, none is made: one each would help little. Else always the box of most waste is cut, at the coarsest
-/// plane of those that halve the scene's box again and again. The same whatever the number of threads. [After
-/// Ernst, Greiner 2007, Early split clipping for bounding volume hierarchies; planes as Karras, Aila 2013, Fast
-/// parallel construction of high-quality bounding volume hierarchies, section 5]
+/// plane of those that halve the scene's box again and again. Those that `staysWhole` says are not cut. The same
+/// whatever the number of threads. [After Ernst, Greiner 2007, Early split clipping for bounding volume hierarchies;
+/// planes as Karras, Aila 2013, Fast parallel construction of high-quality bounding volume hierarchies, section 5]
 [[nodiscard]] LargeVector<PrimitiveBox> splitTriangles(LargeVector<PrimitiveBox> boxes, std::span<const vec3> positions,
-                                                       std::span<const Triangle> triangles,
-                                                       const SplitOptions& options);
+                                                       std::span<const Triangle> triangles, const SplitOptions& options,
+                                                       const std::function<bool(const Triangle&)>& staysWhole = {});
 
 }  // namespace importon

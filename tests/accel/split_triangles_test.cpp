@@ -98,6 +98,25 @@ TEST(SplitTriangles, LeavesTrianglesWholeWhereTooManyWouldHaveToBeCut) {
   EXPECT_EQ(split(mesh).size(), 400u);
 }
 
+TEST(SplitTriangles, LeavesThoseWholeThatMustStandInOneLeaf) {
+  const Mesh mesh = slats(300, 56);
+  const auto isEven = [&](const Triangle& t) { return (&t - mesh.triangles.data()) % 2 == 0; };
+  BvhOptions options;
+  options.staysWhole = isEven;
+  const Bvh bvh = buildBvh(mesh.positions, mesh.triangles, options);
+  std::vector<int> leaves(mesh.triangles.size());
+  for (const BvhRecord& record : bvh.nodes)
+    if (isLeaf(record)) ++leaves[asTriangle(record).triangle];
+  int cut = 0;
+  for (std::size_t t = 0; t < leaves.size(); ++t) {
+    if (t % 2 == 0) {
+      ASSERT_EQ(leaves[t], 1) << t;
+    }
+    cut += leaves[t] > 1 ? 1 : 0;
+  }
+  EXPECT_GT(cut, 100);
+}
+
 TEST(SplitTriangles, TreeLeadsToTheTriangleOfEveryPoint) {
   const Mesh mesh = slats(300, 53);
   const Bvh bvh = buildBvh(mesh.positions, mesh.triangles);

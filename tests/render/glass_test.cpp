@@ -90,8 +90,7 @@ TEST_P(Smooth, SheetsAbsorbByTheirThicknessAndTheWayThroughIt) {
   }
 }
 
-/// Sunlight through a window of one plane onto a wall behind it, and back to the camera. The photon map's: no path
-/// finds the sun through a smooth window.
+/// Sunlight through a window of one plane onto a wall behind it, and back to the camera.
 TEST_F(Window, OfOnePlaneColorsTheLightThatItLetsIn) {
   const vec3 absorption(16, 2, 0);
   SceneBuilder builder;

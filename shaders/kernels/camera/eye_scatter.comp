@@ -39,8 +39,9 @@ void main() {
   chooseChannel(s, path, ray.id, params.pass);
   relateIndex(s, path);
   if (kHasMedia) path.throughput *= mediumTransmittance(path.media, s, hit.t);
+  const float since = path.distance, lightWeight = path.lightWeight;
   path.distance += hit.t;
-  if (kEyeMode != kEyeImportons) addEmission(slot, path, ray, hit, s);
+  if (kEyeMode != kEyeImportons) addEmission(slot, path, ray, hit, s, since);
   if ((s.flags & kMaterialUnlit) != 0u) return;
 
   if (kHasTransmission && kEyeMode != kEyeImportons && (path.flags & kPathDepthMask) == 0u && s.transmission > 0.0)
@@ -71,7 +72,7 @@ void main() {
   }
   if (takesLight) sampleDirectLight(slot, path, s, b, frame, ray);
   Ray next;
-  const bool goesOn = scatterEye(slot, path, s, b, frame, ray, hasRead, next);
+  const bool goesOn = scatterEye(slot, path, s, b, frame, ray, hasRead, lightWeight, next);
   paths[slot] = path;
   if (!goesOn) return;
   keep[i] = 1u;

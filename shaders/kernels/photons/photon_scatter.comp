@@ -65,8 +65,11 @@ bool scatter(Surface s, Bsdf b, vec3 direction, inout PathState path, out Ray ra
   path.throughput *= weight / survival;
   if (kScatterIsGuided) path.throughput *= scale;
   if (updateMedia(path, s, next.isTransmission)) atomicAdd(counters[kCounterMediaForgotten], 1u);
-  path.flags = (path.flags + 1u) | (isSpecular ? kPathSpecular : kPathScattered);
-  if (!isSpecular) path.flags &= ~kPathSpecular;
+  path.flags += 1u;
+  if (!passesPane(s, next)) {
+    path.flags |= isSpecular ? kPathSpecular : kPathScattered;
+    if (!isSpecular) path.flags &= ~kPathSpecular;
+  }
   return (path.flags & kPathDepthMask) <= params.maxDepth;
 }
 
@@ -90,7 +93,8 @@ void main() {
   Bsdf b = makeBsdf(s, cosIn);
   makeAdjoint(b);
   if (hasRoughLobe(b) && !isFrosted(b)) writeRecord(at, s, isGlossy(b), ray.direction, path);
-  if (kPhotonKind == kPhotonsGlobal && (path.flags & kPathDepthMask) == 0u) seeLight(path.source, s.position);
+  if (kPhotonKind == kPhotonsGlobal && (path.flags & (kPathScattered | kPathSpecular)) == 0u)
+    seeLight(path.source, s.position);
   if (kReadsCells && kPhotonKind == kPhotonsGlobal) writeCell(at, s, hit, b, ray.direction, cosIn);
   Ray next;
   if (!scatter(s, b, ray.direction, path, next)) return;

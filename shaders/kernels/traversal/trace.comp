@@ -6,4 +6,8 @@
 
 bool acceptHit(uint stored, uint number, vec2 barycentrics, uint rayId) { return true; }
 
+void startRay(vec3 direction) {}
+void endRay(uint slot, bool isFree) {}
+const uint kMaxTurns = 21000u;
+
 #include "bindings/trace.glsl"

@@ -9,4 +9,8 @@ bool acceptHit(uint stored, uint number, vec2 barycentrics, uint rayId) {
   return isCovered(stored, number, barycentrics, rayId);
 }
 
+void startRay(vec3 direction) {}
+void endRay(uint slot, bool isFree) {}
+const uint kMaxTurns = 21000u;
+
 #include "bindings/trace.glsl"

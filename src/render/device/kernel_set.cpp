@@ -61,12 +61,13 @@ uint boundOf(const RenderJob& job) {
   return job.differentialBound == DifferentialBound::pixel ? kBoundPixel : kBoundScreen;
 }
 
-void addTracing(Getters& to, bool hasAlpha) {
+void addTracing(Getters& to, const FeatureSet& features) {
   using namespace kernels;
   add<SetCounter>(to);
-  hasAlpha ? add<TraceClosestAlpha>(to) : add<TraceClosest>(to);
+  features.hasAlpha ? add<TraceClosestAlpha>(to) : add<TraceClosest>(to);
   add<CompactCount, OneScan, CompactScatter, AddCounter>(to);
-  hasAlpha ? add<TraceShadowAlpha>(to) : add<TraceShadow>(to);
+  if (features.hasPanes) return add<TraceShadowPanes>(to);
+  features.hasAlpha ? add<TraceShadowAlpha>(to) : add<TraceShadow>(to);
 }
 
 void addImportance(Getters& to, const RenderJob& job) {
@@ -80,7 +81,7 @@ void addImportance(Getters& to, const RenderJob& job) {
 Getters listAhead(const FeatureSet& features, const RenderJob& job) {
   using namespace kernels;
   Getters list;
-  addTracing(list, features.hasAlpha);
+  addTracing(list, features);
   if (job.integrator == Integrator::photon) {
     addImportance(list, job);
     if (job.scatter == ScatterChoice::guided) add<PhotonScatterGuided, SiteEmit, ScatterLearn>(list);
@@ -95,6 +96,11 @@ Getters listAhead(const FeatureSet& features, const RenderJob& job) {
 }
 
 }  // namespace
+
+bool KernelSet::hasPanes() const {
+  const auto panes = std::ranges::find(constants_, kSpecHasPanes, &gpu::Specialization::id);
+  return panes != constants_.end() && panes->value != 0;
+}
 
 const gpu::Kernel& KernelSet::find(std::string_view label, const gpu::KernelCode& code,
                                    std::optional<gpu::Specialization> own) {

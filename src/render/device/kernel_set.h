@@ -34,6 +34,8 @@ class KernelSet {
   /// Of all kernels of the cache: gpu/kernel_cache.h.
   [[nodiscard]] std::map<std::string, double> compileTimes() const { return cache_->compileTimes(); }
   [[nodiscard]] bool hasAlpha() const { return hasAlpha_; }
+  /// Shadow rays pass smooth thin surfaces. Where constants_ say nothing, there are none.
+  [[nodiscard]] bool hasPanes() const;
 
  private:
   /// The code, and the constant of its own with its value: none has id kNone.

@@ -9,6 +9,7 @@
 #include "kernels/scan.h"
 #include "kernels/trace.h"
 #include "kernels/trace_alpha.h"
+#include "kernels/trace_panes.h"
 #include "shared/features.h"
 
 namespace importon::kernels {
@@ -28,6 +29,9 @@ struct TraceClosestAlpha : Variant<TraceAlpha, kSpecAnyHit, 0> {
   static constexpr std::string_view kLabel = "trace closest";
 };
 struct TraceShadowAlpha : Variant<TraceAlpha, kSpecAnyHit, 1> {
+  static constexpr std::string_view kLabel = "trace shadow";
+};
+struct TraceShadowPanes : Variant<TracePanes, kSpecAnyHit, 1> {
   static constexpr std::string_view kLabel = "trace shadow";
 };
 struct OneScan : Variant<Scan, kSpecWorkgroupSize, kScanThreads> {};  // a single workgroup

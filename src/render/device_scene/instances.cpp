@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "accel/two_level.h"
+#include "scene/materials/material_table.h"
 
 namespace importon {
 namespace {
@@ -56,7 +57,9 @@ InstanceData worldData() {
 
 }  // namespace
 
-Bvh buildSceneTree(const Scene& scene, const BvhOptions& options) {
+Bvh buildSceneTree(const Scene& scene, BvhOptions options) {
+  // What a pane lets through is multiplied each time that a ray meets it.
+  options.staysWhole = [&](const Triangle& t) { return material_table::isPane(scene.materials[t.material]); };
   if (scene.placed.isEmpty()) return buildBvh(scene.positions, scene.triangles, options);
   PlacedTrees trees{scene.positions, scene.worldTriangles(), {}, {}};
   for (const PlacedMesh& mesh : scene.placed.meshes)

@@ -9,7 +9,7 @@
 namespace importon {
 
 /// The tree of all triangles, or, with placed meshes, of two levels.
-[[nodiscard]] Bvh buildSceneTree(const Scene& scene, const BvhOptions& options);
+[[nodiscard]] Bvh buildSceneTree(const Scene& scene, BvhOptions options);
 
 /// InstanceData as texels: the world, then the instances. `roots`: of the meshes' trees. At least the world.
 [[nodiscard]] std::vector<uvec4> packInstances(const PlacedMeshes& placed, std::span<const std::uint32_t> roots);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "scene/materials/material_table.h"
+
 namespace importon {
 namespace {
 
@@ -23,6 +25,7 @@ std::vector<Material> withMedia(std::vector<Material> materials) {
   for (std::size_t i = 0; i < materials.size(); ++i) {
     Material& material = materials[i];
     material.medium = 0;
+    if (material_table::isPane(material)) material.flags |= kMaterialPane;
     if ((material.flags & kMaterialSolid) == 0) continue;
     const auto isAlike = [&](uint k) {
       return materials[k].ior == material.ior && materials[k].absorption == material.absorption &&

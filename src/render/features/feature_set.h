@@ -17,7 +17,7 @@ struct FeatureSet {
        hasSheen = false, hasAnisotropy = false, hasIridescence = false, hasDispersion = false,
        hasThicknessTextures = false, hasTriangleLights = false, hasCutLights = false, hasPunctualLights = false,
        hasEnvironment = false, hasDeepTextures = false, hasSheets = false, hasLightProfiles = false,
-       hasInstances = false;
+       hasInstances = false, hasPanes = false;
   bool needsCausticMap = false, readsCells = false, needsGlobalMap = false;
   uint pixelFilter = 0;        // kFilter*
   bool hasBackground = false;  // the camera sees another background than the environment

@@ -65,8 +65,11 @@ template <class... Owners>
 void traceClosest(const Stage& stage, uint counter, const Owners&... owners) {
   overRays<kernels::TraceClosest, kernels::TraceClosestAlpha>(stage, counter, owners...);
 }
+/// Of rays that pass panes, dims the light that `owners` have as shadowLight.
 template <class... Owners>
 void traceShadow(const Stage& stage, uint counter, const Owners&... owners) {
+  if (stage.kernels.hasPanes())
+    return overRays<kernels::TraceShadowPanes, kernels::TraceShadowPanes>(stage, counter, owners...);
   overRays<kernels::TraceShadow, kernels::TraceShadowAlpha>(stage, counter, owners...);
 }
 

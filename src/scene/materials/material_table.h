@@ -54,6 +54,12 @@ inline bool hasSheen(const Material& m) { return m.sheenColor != vec3(0.0f); }
 inline bool isAnisotropic(const Material& m) { return m.anisotropy != 0; }
 inline bool isIridescent(const Material& m) { return m.iridescence != 0; }
 inline bool isThick(const Material& m) { return m.thickness != 0; }
+/// Smooth and thin wherever its textures are: light that it transmits goes straight on, so that shadow rays may pass.
+inline bool isPane(const Material& m) {
+  constexpr float kSmoothAlpha = 1e-3f;  // shaders/lib/albedo.glsl; textures only lower roughness
+  return m.transmission > 0 && (m.flags & (kMaterialSolid | kMaterialUnlit)) == 0 &&
+         m.roughness * m.roughness < kSmoothAlpha && !isAnisotropic(m);
+}
 
 }  // namespace material_table
 
