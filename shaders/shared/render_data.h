@@ -75,6 +75,22 @@ struct PathState {
   float distance;       // m, length since the last non-specular vertex
 };
 
+/// A ray of importance that left the scene.
+struct EscapeRecord {
+  vec3 origin;  // render space, where it last met a surface
+  float weight;  // what photons would bring along it; 0: the path did not leave
+  vec3 direction;
+  float pdf;   // of that direction in the environment by radiance, 1/sr
+  vec2 place;  // the direction as two coordinates: lib/environment_guide.glsl
+};
+/// The environment's guide is a mixture of its leaves and of boxes around 8, 64 and 512 of them, so that what the boxes
+/// of the leaves leave out has no rare and strong photons: 0.4, 0.2, 0.1 and 0.05 of the photons. The others come by
+/// radiance, from anywhere, which keeps it unbiased.
+SHARED_CONST uint kEscapeLevels = 4u;
+SHARED_CONST uint kEscapeStep = 3u;         // from a level to the next, in levels of the tree
+SHARED_CONST float kEscapeShare = 0.4f;     // of the first level; each further one has half of the last
+SHARED_CONST float kGuidedEscapes = 0.75f;  // all together
+
 /// How a path moves with one of the variables that made it: derivatives, each times the step of the variable to the
 /// neighbouring path. [Suykens and Willems 2001]
 struct Spread {

@@ -14,6 +14,7 @@ layout(push_constant, scalar) uniform Push {
   float meanImportance;  // pixels/m²
   float hitsPerPass;     // for each hit that was counted at a site; 0: deficits do not matter
   uint isPotential;      // places count in proportion to their importance
+  uint isGlobal;         // the sites are of the global map
 } push;
 
 /// How far off its surface importance starts, of the scene's extent: sites know no bound of their error.
@@ -23,7 +24,8 @@ void main() {
   const uint slot = invocationIndex();
   if (slot >= push.count) return;
   const uint item = push.first + slot;
-  const MapSettings map = params.globalMap;
+  MapSettings map = params.causticMap;
+  if (push.isGlobal != 0u) map = params.globalMap;
   const uint stream = photonStream(kStreamSites, map, item), index = photonIndex(map, item);
   const uint site = min(uint(sequencePoint(stream, index, kPairPosition).x * float(push.sites)), push.sites - 1u);
   const uvec4 point = importonPoint(site);

@@ -1,6 +1,7 @@
 #version 460
 // Photons leave the lights: a light, a point on it and a direction, by power or by what a guide has learned.
 #extension GL_GOOGLE_include_directive : require
+#include "bindings/environment_guide.glsl"
 #include "bindings/guide.glsl"
 #include "bindings/lights.glsl"
 #include "bindings/paths.glsl"
@@ -51,7 +52,10 @@ void main() {
   } else {
     light = lightByPower(place, density);
   }
-  const Emission e = emitFromLight(light, place, direction, params.sceneCentre, params.sceneRadius);
+  Emission e;
+  if (kIsGuided && kHasEnvironment && light == params.environmentLight && escapeLeaves() > 0u)
+    e = emitFromEnvironment(place, direction, params.sceneCentre, params.sceneRadius);
+  else e = emitFromLight(light, place, direction, params.sceneCentre, params.sceneRadius);
   PathState path;
   path.throughput = e.flux / (density * float(map.photonsPerPass));
   path.flags = 0u;

@@ -16,6 +16,7 @@ std::uint64_t Workspace::blockSumsOf(std::uint64_t compacted, std::uint64_t sort
 StandIns::StandIns(gpu::Context& c)
     : guideRows(c, "no guide", sizeof(float), TexelFormat::float1),
       guideColumns(c, "no guide", sizeof(float), TexelFormat::float1),
+      environmentGuide(gpu::makeBuffer<uvec4>(c, "no guide", std::vector<uvec4>(1, uvec4(0)), TexelFormat::uint4)),
       scatterGuides(c, "no guide", sizeof(float), TexelFormat::float1),
       samplePlan(c, "no sample plan", sizeof(uvec2), TexelFormat::uint2),
       surfaceCells(c, "no cells of triangles", sizeof(uvec2), TexelFormat::uint2),

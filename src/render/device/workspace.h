@@ -20,7 +20,7 @@ struct CellBuffers {
 struct StandIns {
   explicit StandIns(gpu::Context& context);
 
-  gpu::Buffer guideRows, guideColumns, scatterGuides, samplePlan;
+  gpu::Buffer guideRows, guideColumns, environmentGuide, scatterGuides, samplePlan;
   gpu::Buffer surfaceCells, cells;
 
   [[nodiscard]] CellBuffers noCells() const { return {surfaceCells, surfaceCells, surfaceCells, cells, cells}; }

@@ -67,7 +67,8 @@ void EmissionGuide::train(const Stage& stage, const ImportanceMap& importance, f
                                        .isPotential = weight_ == GuideWeight::potential};
   const gpu::Buffer& hits = sites_ ? sites_->hits() : importance.hits;
   overItems<kernels::GuideLearn>(stage, kCounterSelected, push, importon::buffers::ImportonHits{hits},
-                                 importance.buffers(), buffers(), importon::buffers::GuideSums{sums_});
+                                 importance.buffers(), buffers(stage.work.standIns),
+                                 importon::buffers::GuideSums{sums_});
 }
 
 void EmissionGuide::update() {
@@ -84,7 +85,15 @@ void EmissionGuide::update() {
   ++stream_;
 }
 
-void EmissionGuide::upload(const std::vector<double>& cells) {
+void EmissionGuide::aimEnvironment(std::shared_ptr<const EnvironmentGuide> guide, std::size_t light) {
+  environment_ = {std::move(guide), light};
+}
+
+void EmissionGuide::upload(std::vector<double> cells) {
+  if (aimsEnvironment()) {
+    const std::span own = std::span(cells).subspan(environment_.light * bins_ * bins_, std::size_t{bins_} * bins_);
+    std::ranges::fill(own, std::accumulate(own.begin(), own.end(), 0.0) / static_cast<double>(own.size()));
+  }
   std::vector<double> rowShares;
   std::vector<float> rows, columns;
   for (std::size_t first = 0; first < cells.size(); first += bins_) {

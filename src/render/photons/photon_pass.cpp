@@ -1,5 +1,6 @@
 #include "render/photons/photon_pass.h"
 
+#include <functional>
 #include <utility>
 
 #include "kernels/site_emit.h"
@@ -10,9 +11,12 @@ namespace importon {
 
 namespace {
 
+/// What else is done with the rays of a queue once they were traced; may be empty.
+using AfterTrace = std::function<void(uint counter, const gpu::Buffer& queue)>;
+
 /// Traces what stands in queue A and scatters it, by the guide if there is one.
 void tracePaths(const Stage& stage, MapKind kind, const ScatterGuide* guide, uint stream, std::uint32_t count,
-                uint maxDepth) {
+                uint maxDepth, const AfterTrace& afterTrace = {}) {
   const gpu::Buffer *now = &stage.work.queueA, *next = &stage.work.queueB;
   uint counter = kCounterQueueA, nextCounter = kCounterQueueB;
   RecordRoom room(stage, count);
@@ -21,6 +25,7 @@ void tracePaths(const Stage& stage, MapKind kind, const ScatterGuide* guide, uin
     const kernels::PhotonScatter::Push push{
         .source = counter, .stream = stream, .guide = guide != nullptr ? guide->grid() : ScatterGrid{}};
     traceClosest(stage, counter, queue);
+    if (afterTrace) afterTrace(counter, *now);
     if (guide != nullptr)
       overItems<kernels::PhotonScatterGuided>(stage, counter, push, queue, buffers::ScatterGuides{guide->cells()});
     else if (kind == MapKind::global)
@@ -32,6 +37,24 @@ void tracePaths(const Stage& stage, MapKind kind, const ScatterGuide* guide, uin
     std::swap(counter, nextCounter);
   }
   addCounter(stage, kCounterRecords, kSumRaysClosest);
+}
+
+/// Into queue A.
+void emitFromSites(const Stage& stage, MapKind kind, const ImportanceMap& importance, const ScatterBatch& batch,
+                   bool isPotential) {
+  setCounter(stage, kCounterRecords, 0);
+  setCounter(stage, kCounterQueueA, batch.count);
+  run<kernels::SiteEmit>(stage, batch.count,
+                         {.first = batch.first,
+                          .count = batch.count,
+                          .sites = static_cast<uint>(importance.sites()),
+                          .meanImportance = batch.meanImportance,
+                          .hitsPerPass = batch.hitsPerPass,
+                          .isPotential = isPotential,
+                          .isGlobal = kind == MapKind::global},
+                         buffers::Queue{stage.work.queueA},
+                         buffers::ImportonHits{batch.sites != nullptr ? batch.sites->hits() : importance.hits},
+                         importance.buffers());
 }
 
 }  // namespace
@@ -50,7 +73,7 @@ void tracePhotons(const Stage& stage, const PhotonSource& source, std::uint32_t 
   setCounter(stage, kCounterRecords, 0);
   setCounter(stage, kCounterQueueA, count);
   if (guide != nullptr)
-    run<kernels::PhotonEmitGuided>(stage, count, push, queue, guide->buffers());
+    run<kernels::PhotonEmitGuided>(stage, count, push, queue, guide->buffers(stage.work.standIns));
   else
     run<kernels::PhotonEmitByPower>(stage, count, push, queue);
   tracePaths(stage, source.kind, source.scatter, stream, count, maxDepth);
@@ -58,21 +81,19 @@ void tracePhotons(const Stage& stage, const PhotonSource& source, std::uint32_t 
 
 void trainScatterGuide(const Stage& stage, const ImportanceMap& importance, ScatterGuide& guide,
                        const ScatterBatch& batch) {
-  setCounter(stage, kCounterRecords, 0);
-  setCounter(stage, kCounterQueueA, batch.count);
-  run<kernels::SiteEmit>(stage, batch.count,
-                         {.first = batch.first,
-                          .count = batch.count,
-                          .sites = static_cast<uint>(importance.sites()),
-                          .meanImportance = batch.meanImportance,
-                          .hitsPerPass = batch.hitsPerPass,
-                          .isPotential = guide.isPotential()},
-                         buffers::Queue{stage.work.queueA},
-                         buffers::ImportonHits{batch.sites != nullptr ? batch.sites->hits() : importance.hits},
-                         importance.buffers());
+  emitFromSites(stage, MapKind::global, importance, batch, guide.isPotential());
   tracePaths(stage, MapKind::global, nullptr, kStreamSites, batch.count, batch.maxDepth);
   selectRecords(stage, recordMask(MapKind::global));
   guide.train(stage);
+}
+
+void noteEscapes(const Stage& stage, MapKind kind, const ImportanceMap& importance, const EnvironmentGuide& guide,
+                 const ScatterBatch& batch) {
+  emitFromSites(stage, kind, importance, batch, false);
+  tracePaths(stage, kind, nullptr, kStreamSites, batch.count, batch.maxDepth,
+             [&](uint counter, const gpu::Buffer& queue) {
+               guide.note(stage, counter, queue, batch.first, kind == MapKind::caustic);
+             });
 }
 
 }  // namespace importon

@@ -22,4 +22,8 @@ void tracePhotons(const Stage& stage, const PhotonSource& source, std::uint32_t 
 void trainScatterGuide(const Stage& stage, const ImportanceMap& importance, ScatterGuide& guide,
                        const ScatterBatch& batch);
 
+/// Traces importance from the sites of a map as if it were photons of `kind`; `guide` notes where it leaves the scene.
+void noteEscapes(const Stage& stage, MapKind kind, const ImportanceMap& importance, const EnvironmentGuide& guide,
+                 const ScatterBatch& batch);
+
 }  // namespace importon

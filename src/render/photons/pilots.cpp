@@ -1,6 +1,8 @@
 #include "render/photons/pilots.h"
 
 #include <algorithm>
+#include <glm/gtc/constants.hpp>
+#include <memory>
 
 #include "kernels/hit_count.h"
 #include "render/importance/light_share.h"
@@ -13,6 +15,8 @@ constexpr std::uint32_t kEnoughSteps = 32;  // into which a pass's photons are c
 constexpr std::uint32_t kFewestInStep = 512;
 constexpr std::uint32_t kScatterImportons = 1u << 17;  // that train scattering, at most
 constexpr std::uint32_t kMostBatches = 64;             // of them, however small the batches are
+constexpr std::uint32_t kEscapePaths = 1u << 16;       // of importance, that aim the environment's photons, at most
+constexpr std::uint32_t kFirstEscapePaths = 1u << 13;  // that decide whether to
 constexpr float kPassesInCells = 4;                    // in each half of the surface cells before they are cut anew
 
 /// Traces importance from where the image reads the map, which trains photons which way to scatter. [Peter and Pietrek
@@ -45,6 +49,31 @@ void trainScatter(PassContext& context, PhotonSystem& system) {
   system.scatter->update();
 }
 
+/// Importance finds the way out to the environment. Null where that brings nothing.
+std::shared_ptr<const EnvironmentGuide> aimAtEscapes(PassContext& context, const PhotonSystem& system,
+                                                     const EmissionGuide& emission) {
+  const std::uint32_t paths = std::min(kEscapePaths, 2 * context.plan.whole.photonsFor(system.kind));
+  if (context.parameters.environmentLight == kNone || system.importance.count == 0 || paths == 0) return nullptr;
+  const Stage stage = context.stage();
+  const auto guide = std::make_shared<EnvironmentGuide>(stage.gpu, paths);
+  ScatterBatch batch{
+      0, 0, context.meanImportance(), context.parameters.maxDepth, emission.sites(), emission.hitsPerPass()};
+  const double radius = static_cast<double>(context.parameters.sceneRadius);
+  // A few tell whether it is worth it: most scenes lie open under their sky.
+  auto worth = EnvironmentGuide::Worth::unknown;
+  for (const std::uint32_t end : {std::min(kFirstEscapePaths, paths), paths}) {
+    for (; batch.first < end; batch.first += batch.count) {
+      batch.count = std::min(context.plan.batch, end - batch.first);
+      noteEscapes(stage, system.kind, system.importance, *guide, batch);
+      context.stats.photonsPilot += batch.count;
+    }
+    stage.recorder.submitAndWait();
+    worth = guide->update(end, glm::pi<double>() * radius * radius);
+    if (worth == EnvironmentGuide::Worth::little) return nullptr;
+  }
+  return worth == EnvironmentGuide::Worth::much ? guide : nullptr;
+}
+
 void trainEmission(PassContext& context, PhotonSystem& system) {
   if (context.job.emission == EmissionChoice::power || !system.isUsed) return;
   const Stage stage = context.stage();
@@ -59,9 +88,12 @@ void trainEmission(PassContext& context, PhotonSystem& system) {
     guide.followDeficits(stage, system.importance, context.parameters,
                          static_cast<float>(perPass) / static_cast<float>(photons));
   guide.train(stage, system.importance, context.meanImportance());
+  if (auto aim = aimAtEscapes(context, system, guide))
+    guide.aimEnvironment(std::move(aim), context.parameters.environmentLight);
   stage.recorder.submitAndWait();
   guide.update();
-  if (context.job.emission == EmissionChoice::automatic && guide.gain() < traits.leastGain) system.emission.reset();
+  if (context.job.emission == EmissionChoice::automatic && guide.gain() < traits.leastGain && !guide.aimsEnvironment())
+    system.emission.reset();
 }
 
 /// Where photons of a pilot fall, and with how much light of a pass.
