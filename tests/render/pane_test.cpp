@@ -66,12 +66,13 @@ TEST_P(Pane, DimsPointLightsAsItDimsWhatIsSeenThroughIt) {
   EXPECT_TRUE(isWithin(1e-3, overSeeds(job, builder.finish(), 3, direct).front(), 0.5 * sheetTransmittance(1.5)));
 }
 
-/// Shadow rays and scattered ones share out what both find: here a lamp so near and large that both matter.
+/// Shadow rays and scattered ones share out what both find: here lamps so near and large that both matter, and so many
+/// that their choice from the pane would differ from that from the floor.
 TEST_P(Pane, OfIndexOneOnlyTintsWhatLampsBring) {
   Moments found[2];
   for (const bool hasPane : {false, true}) {
     SceneBuilder builder = floorBelow(hasPane ? std::vector{tintedPane(vec3(0.6f))} : std::vector<Material>{});
-    builder.square(builder.material(emitter(vec3(hasPane ? 1.0f : 0.6f))), {0, 1.4, 0}, {0, -1, 0}, 3);
+    builder.square(builder.material(emitter(vec3(hasPane ? 1.0f : 0.6f))), {0, 1.4, 0}, {0, -1, 0}, 3, 3);
     found[hasPane ? 1 : 0] = renderMean(builder.finish(), 256, 8);
   }
   EXPECT_TRUE(isWithin(0.005, found[1], found[0].mean()));
