@@ -21,10 +21,8 @@ struct Cleanness {
   double grain = 0;
 };
 
-/// Surfaces as either image shows them, the reference first.
 Cleanness cleannessOf(const Image& whole, const Image& image, const Image& wholeReference, const Image& reference) {
-  PlainSurfaces plain = findPlainSurfaces(wholeReference, reference);
-  if (!plain.isKnown) plain = findPlainSurfaces(whole, image);
+  const PlainSurfaces plain = findPlainSurfaces(wholeReference, reference, whole, image);
   return {plain.isKnown, bandError(image, reference, plain), grainRatio(image, plain)};
 }
 

@@ -15,12 +15,12 @@ class ReferenceErrors {
   ReferenceErrors(const RenderJob& job, const Scene& scene);
   /// Compares the image so far.
   void measure(const RenderProgress& progress);
-  /// Adds what was measured; the last pass is the image's error.
-  void report(ErrorStats& error) const;
+  /// Adds what was measured; the last pass is the error of the finished `image`, which may have layers.
+  void report(ErrorStats& error, const Image& image) const;
 
  private:
   std::string name_;  // empty: no reference
-  Image reference_;
+  Image whole_, reference_;  // with all layers, and in colour alone
   std::vector<ErrorPoint> points_;
 };
 

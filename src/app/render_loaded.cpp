@@ -81,7 +81,7 @@ RenderOutcome renderLoaded(const RenderJob& job, const LoadedScene& loaded, Log&
   };
   RenderResult result = render(job, loaded.scene, log, isInterrupted, afterPass, start, sources);
   log.endProgress();
-  errors.report(result.stats.error);
+  errors.report(result.stats.error, result.image);
   result.stats.seconds.load = loaded.seconds;
   if (sources.tree) result.stats.seconds.bvh = loaded.treeSeconds;
 

@@ -26,6 +26,7 @@ Json errorJson(const ErrorStats& error) {
   if (error.relmse) known["relmse"] = *error.relmse;
   if (error.relmseTrimmed) known["relmse_trimmed"] = *error.relmseTrimmed;
   if (error.smape) known["smape"] = *error.smape;
+  if (error.band) known["band"] = *error.band;
   for (const ErrorPoint& point : error.passes) {
     known["passes"].push_back({{"pass", point.pass},
                                {"seconds", point.seconds},

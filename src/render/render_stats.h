@@ -44,6 +44,7 @@ struct ErrorStats {
   std::optional<double> estimated, relmse, relmseTrimmed, smape;
   std::vector<ErrorPoint> passes = {};        // where there is a reference
   std::optional<double> low = {}, high = {};  // 90 % band of the true error
+  std::optional<double> band = {};            // report/plain_surfaces.h, percent
 };
 
 /// What one of the devices of a render did.

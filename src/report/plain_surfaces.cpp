@@ -150,6 +150,12 @@ PlainSurfaces findPlainSurfaces(const Image& layers, const Image& color) {
   return plain;
 }
 
+PlainSurfaces findPlainSurfaces(const Image& wholeReference, const Image& reference, const Image& whole,
+                                const Image& image) {
+  PlainSurfaces plain = findPlainSurfaces(wholeReference, reference);
+  return plain.isKnown ? plain : findPlainSurfaces(whole, image);
+}
+
 BandError bandError(const Image& image, const Image& reference, const PlainSurfaces& plain) {
   Masked ratio = logarithms(image, plain);
   const Masked truth = logarithms(reference, plain);

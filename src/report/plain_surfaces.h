@@ -17,6 +17,10 @@ struct PlainSurfaces {
 /// `color` has the channels R, G, B of an image of the same size, which may be the same.
 [[nodiscard]] PlainSurfaces findPlainSurfaces(const Image& layers, const Image& color);
 
+/// As the reference shows them, if it has the layers, else as the image does. Both with their layers, and in colour.
+[[nodiscard]] PlainSurfaces findPlainSurfaces(const Image& wholeReference, const Image& reference, const Image& whole,
+                                              const Image& image);
+
 /// The part of ln(I/R) between Gaussians of 2 and of 8 pixels (standard deviations), luminances, on plain surfaces:
 /// what is larger than grain and smaller than the picture's own light.
 struct BandError {

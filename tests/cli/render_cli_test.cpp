@@ -155,6 +155,7 @@ TEST(CliRender, MeasuresTheErrorAfterEachPass) {
     EXPECT_EQ(json["error"][metric], expected[metric]) << metric;
     EXPECT_EQ(points[2][metric], expected[metric]) << metric;
   }
+  EXPECT_EQ(json["error"]["band"], expected["band_rms"]);
 }
 
 TEST(CliRender, KeepsATimeBudget) {

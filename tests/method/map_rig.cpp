@@ -70,7 +70,7 @@ std::vector<EmittedPhoton> MapRig::emit(MapKind kind, const EmissionGuide* guide
                                        kind == MapKind::global};
   work_->parameters.upload(std::span<const Parameters>(&parameters, 1));
   if (guide != nullptr)
-    run<kernels::PhotonEmitGuided>(*stage_, plan.batch, push, queue, guide->buffers());
+    run<kernels::PhotonEmitGuided>(*stage_, plan.batch, push, queue, guide->buffers(stage_->work.standIns));
   else
     run<kernels::PhotonEmitByPower>(*stage_, plan.batch, push, queue);
   recorder_->submitAndWait();

@@ -95,6 +95,8 @@ TEST(StatsFile, HoldsOnlyTheErrorsThatAreKnown) {
   stats.error = {0.1, 0.2, 0.3, 0.4};
   EXPECT_EQ(keysOf(written(stats)["error"]), (Keys{"estimated", "relmse", "relmse_trimmed", "smape"}));
   EXPECT_EQ(written(stats)["error"]["relmse_trimmed"], 0.3);
+  stats.error.band = 0.5;
+  EXPECT_EQ(written(stats)["error"]["band"], 0.5);
   stats.error = {};
   EXPECT_EQ(written(stats)["error"], Json::object());
 }
