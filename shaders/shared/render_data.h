@@ -77,7 +77,7 @@ struct PathState {
 
 /// A ray of importance that left the scene.
 struct EscapeRecord {
-  vec3 origin;  // render space, where it last met a surface
+  vec3 origin;   // render space, where it last met a surface
   float weight;  // what photons would bring along it; 0: the path did not leave
   vec3 direction;
   float pdf;   // of that direction in the environment by radiance, 1/sr

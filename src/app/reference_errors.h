@@ -19,7 +19,7 @@ class ReferenceErrors {
   void report(ErrorStats& error, const Image& image) const;
 
  private:
-  std::string name_;  // empty: no reference
+  std::string name_;         // empty: no reference
   Image whole_, reference_;  // with all layers, and in colour alone
   std::vector<ErrorPoint> points_;
 };
