@@ -136,15 +136,13 @@ TEST(CliRender, SmokeWritesImagePreviewAndStats) {
 
 TEST(CliRender, LookChangesThePngAlone) {
   const TemporaryFolder folder;
-  for (const std::string map : {"neutral", "agx", "aces", "none"})
+  for (const std::string map : {"neutral", "agx"})
     ASSERT_EQ(runImporton(smallRender(folder / (map + ".exr"), {"--passes", "1", "--png", folder / (map + ".png"),
                                                                 "--tone-map", map, "--exposure", "1"}))
                   .status,
               0);
-  for (const std::string map : {"agx", "aces", "none"}) {
-    EXPECT_EQ(readFile(folder / (map + ".exr")), readFile(folder / "neutral.exr")) << map;
-    EXPECT_NE(readFile(folder / (map + ".png")), readFile(folder / "neutral.png")) << map;
-  }
+  EXPECT_EQ(readFile(folder / "agx.exr"), readFile(folder / "neutral.exr"));
+  EXPECT_NE(readFile(folder / "agx.png"), readFile(folder / "neutral.png"));
   const Outcome unused = runImporton(smallRender(folder / "o.exr", {"--passes", "1", "--exposure", "1"}));
   EXPECT_EQ(unused.status, 0);
   EXPECT_NE(unused.err.find("--exposure is of the PNG"), std::string::npos) << unused.err;
