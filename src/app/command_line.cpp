@@ -136,6 +136,7 @@ void Parser::addMerge() {
   mergeApp->add_option("--png", merge.png, "tone-mapped preview beside it (default: none)")
       ->check(notEmpty())
       ->type_name("F.png");
+  addLookOptions(*mergeApp, merge.job);
 }
 
 Command Parser::chosen() {

@@ -74,6 +74,7 @@ struct StudyCommand {
 struct MergeCommand {
   std::vector<std::filesystem::path> images;  // two or more
   std::filesystem::path output, png;          // png may be empty: none
+  RenderJob job;                              // only how the png looks is set
 };
 
 struct DevicesCommand {};

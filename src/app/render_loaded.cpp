@@ -2,6 +2,8 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
+
 #include "app/progress.h"
 #include "app/reference_errors.h"
 #include "app/stats_file.h"
@@ -10,6 +12,7 @@
 #include "fmt/ranges.h"
 #include "io/image.h"
 #include "io/output_file.h"
+#include "io/png.h"
 #include "render/options/gather_source.h"
 #include "render/resume/job_fingerprint.h"
 
@@ -19,6 +22,13 @@ namespace {
 void warnOfUnusedOptions(const RenderCommand& command, Log& log) {
   if (command.job.integrator != Integrator::path || command.photonOptions.empty()) return;
   log.warn("unused option", fmt::format("the path tracer has no use for {}", fmt::join(command.photonOptions, ", ")));
+}
+
+void warnOfUnusedLook(const RenderCommand& command, Log& log) {
+  if (!command.job.png.empty()) return;
+  for (const char* name : {"--exposure", "--tone-map"})
+    if (std::ranges::count(command.given, name) > 0)
+      log.warn("unused option", fmt::format("{} is of the PNG, and no --png is asked for", name));
 }
 
 void tellGatherSource(const RenderJob& job, Log& log) {
@@ -51,7 +61,7 @@ void writeOutputs(const RenderJob& job, const Scene& scene, const Log& log, Rend
   const Clock::time_point outputStart = Clock::now();
   addAttributes(job, scene, result);
   writeExr(job.output, result.image);
-  if (!job.png.empty()) writePng(job.png, result.image);
+  if (!job.png.empty()) writePng(job.png, result.image, job.look);
   result.stats.hostPeakBytes = peakHostBytes();
   result.stats.seconds.output = secondsSince(outputStart);
   result.stats.seconds.total = secondsSince(start);
@@ -68,6 +78,7 @@ void checkOutputs(const RenderJob& job) {
 
 void tellOfOptions(const RenderCommand& command, Log& log) {
   warnOfUnusedOptions(command, log);
+  warnOfUnusedLook(command, log);
   tellGatherSource(command.job, log);
 }
 

@@ -119,6 +119,10 @@ void addSceneOptions(CLI::App& app, RenderJob& job) {
     addRow(app, rowOf(name), job, "Options");
 }
 
+void addLookOptions(CLI::App& app, RenderJob& job) {
+  for (const char* name : {"--exposure", "--tone-map"}) addRow(app, rowOf(name), job, "Options");
+}
+
 void addRenderOptions(CLI::App& app, RenderCommand& command) {
   app.add_option("SCENE", command.scenes, "the scene, .gltf or .glb; several: -o and --png name folders")
       ->required()

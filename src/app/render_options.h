@@ -16,6 +16,9 @@ void addRenderOptions(CLI::App& app, RenderCommand& command);
 /// Declares what loading a scene depends on.
 void addSceneOptions(CLI::App& app, RenderJob& job);
 
+/// Declares how a PNG looks.
+void addLookOptions(CLI::App& app, RenderJob& job);
+
 /// Options of a line of a list, over those of `command` that all jobs have. Throws UsageError.
 void parseListLine(std::vector<std::string> words, RenderCommand& command, const ListFolders& folders);
 

@@ -42,8 +42,8 @@ void writeExr(const std::filesystem::path& file, const Image& image);
 /// True if the file begins as a Radiance picture does.
 [[nodiscard]] bool isHdr(const std::filesystem::path& file);
 
-/// A tone-mapped 8-bit preview of channels R, G, B: exposure by the log-average luminance, a filmic shoulder,
-/// sRGB. Renamed into place like writeExr.
+/// A tone-mapped 8-bit preview of channels R, G, B: exposure by the log-average luminance, the neutral
+/// tone map, sRGB. Renamed into place like writeExr.
 void writePng(const std::filesystem::path& file, const Image& image);
 
 /// Throws OutputError if `file` cannot be created (folder missing, no permission), without leaving a trace:

@@ -3,6 +3,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -12,7 +13,11 @@
 
 namespace importon {
 
-PngPixels shownPixels(const Image& image, float exposure, const std::string& where) {
+float exposureOf(const Look& look, const Image& image, const std::string& where) {
+  return look.exposure ? static_cast<float>(std::exp2(*look.exposure)) : autoExposure(image, where);
+}
+
+PngPixels shownPixels(const Image& image, float exposure, ToneMap toneMap, const std::string& where) {
   const auto rgb = rgbOf(image, where);
   PngPixels pixels{image.width, image.height, std::vector<std::uint8_t>(3 * rgb[0].size())};
   const Channel* alpha = image.find("A");
@@ -25,10 +30,10 @@ PngPixels shownPixels(const Image& image, float exposure, const std::string& whe
       pixels.rgb[3 * i] = pixels.rgb[3 * i + 2] = 255;
       continue;
     }
-    for (std::size_t c = 0; c < 3; ++c) {
-      const float shown = srgbFromLinear(filmicShoulder(rgb[c][i] * straight));
-      pixels.rgb[3 * i + c] = static_cast<std::uint8_t>(std::lround(255 * shown));
-    }
+    const std::array<float, 3> shown =
+        toneMapped(toneMap, {rgb[0][i] * straight, rgb[1][i] * straight, rgb[2][i] * straight});
+    for (std::size_t c = 0; c < 3; ++c)
+      pixels.rgb[3 * i + c] = static_cast<std::uint8_t>(std::lround(255 * srgbFromLinear(shown[c])));
   }
   return pixels;
 }
@@ -72,10 +77,13 @@ void writePng(const std::filesystem::path& file, const PngPixels& pixels) {
   output.commit();
 }
 
-void writePng(const std::filesystem::path& file, const Image& image) {
+void writePng(const std::filesystem::path& file, const Image& image, const Look& look) {
   OutputFile output(file);  // first: an error that leaves nothing behind
-  output.write(encodePng(shownPixels(image, autoExposure(image, file.string()), file.string()), file.string()));
+  const std::string where = file.string();
+  output.write(encodePng(shownPixels(image, exposureOf(look, image, where), look.toneMap, where), where));
   output.commit();
 }
+
+void writePng(const std::filesystem::path& file, const Image& image) { writePng(file, image, Look{}); }
 
 }  // namespace importon

@@ -1,4 +1,5 @@
-/// From scene light to what a screen shows. Used by the previews and by FLIP.
+/// From scene light to what a screen shows. Exposure and sRGB are also those of pictures, whose curves
+/// are in tone_curve.h; the shoulder is that of FLIP.
 #pragma once
 #include <array>
 #include <span>

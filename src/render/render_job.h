@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "io/tone_curve.h"
 #include "scene/load_options.h"
 
 namespace importon {
@@ -38,6 +39,7 @@ struct RenderJob {
   std::filesystem::path scene;
   std::filesystem::path output;
   std::filesystem::path png;         // empty: none
+  Look look;                         // of the PNG
   std::optional<int> width, height;  // pixels
   PixelFilter filter = PixelFilter::box;
   std::string camera;     // name or index; empty: the first

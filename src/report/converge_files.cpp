@@ -120,11 +120,14 @@ std::string convergePage(const ConvergeTitle& title, const ConvergeReport& repor
   Json data = reportJson(title, report);
   const float exposure = autoExposure(reference, title.reference);
   const ShownImage truth = toneMapped(reference, exposure, title.reference);
+  const Look look = report.results.empty() ? Look{} : report.results.front().config.job.look;
+  const float shownExposure = exposureOf(look, reference, title.reference);
   const auto addImage = [&](const std::string& name, const Image& image) {
     const PngPixels error =
         falseColors(image.width, image.height, ldrFlipMap(toneMapped(image, exposure, name), truth));
-    data["images"].push_back(
-        {{"name", name}, {"image", dataUri(shownPixels(image, exposure, name))}, {"error", dataUri(error)}});
+    data["images"].push_back({{"name", name},
+                              {"image", dataUri(shownPixels(image, shownExposure, look.toneMap, name))},
+                              {"error", dataUri(error)}});
   };
   addImage("reference", reference);
   for (const ConvergeResult& result : report.results) {

@@ -95,9 +95,10 @@ StudyFigure lightFigure(const StudyReport& report, const std::string& title, con
   StudyFigure figure{title, text, "", 0, 0, {}};
   const Image first = colorOf(report.results.front(), layer);
   if (isBlack(first)) return figure;
-  const float exposure = autoExposure(first, title);
+  const Look& look = report.results.front().config.job.look;
+  const float exposure = exposureOf(look, first, title);
   for (const StudyResult& result : report.results)
-    figure.pictures.push_back({result.config.name, shownPixels(colorOf(result, layer), exposure, title)});
+    figure.pictures.push_back({result.config.name, shownPixels(colorOf(result, layer), exposure, look.toneMap, title)});
   return figure;
 }
 

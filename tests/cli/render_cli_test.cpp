@@ -134,6 +134,21 @@ TEST(CliRender, SmokeWritesImagePreviewAndStats) {
   EXPECT_GT(stats["memory"]["host_peak_bytes"].get<double>(), 1e6);
 }
 
+TEST(CliRender, LookChangesThePngAlone) {
+  const TemporaryFolder folder;
+  for (const std::string map : {"neutral", "agx"})
+    ASSERT_EQ(runImporton(smallRender(folder / (map + ".exr"), {"--passes", "1", "--png", folder / (map + ".png"),
+                                                                "--tone-map", map, "--exposure", "1"}))
+                  .status,
+              0);
+  EXPECT_EQ(readFile(folder / "agx.exr"), readFile(folder / "neutral.exr"));
+  EXPECT_NE(readFile(folder / "agx.png"), readFile(folder / "neutral.png"));
+  const Outcome unused = runImporton(smallRender(folder / "o.exr", {"--passes", "1", "--exposure", "1"}));
+  EXPECT_EQ(unused.status, 0);
+  EXPECT_NE(unused.err.find("--exposure is of the PNG"), std::string::npos) << unused.err;
+  EXPECT_EQ(runImporton(smallRender(folder / "p.exr", {"--exposure", "bright"})).status, 1);
+}
+
 TEST(CliRender, MeasuresTheErrorAfterEachPass) {
   const TemporaryFolder folder;
   ASSERT_EQ(runImporton(smallRender(folder / "r.exr", {"--passes", "3", "--seed", "2"})).status, 0);

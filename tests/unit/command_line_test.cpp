@@ -157,6 +157,19 @@ TEST(CommandLine, TakesEveryOptionOfRender) {
   EXPECT_EQ(command.verbosity, Log::Verbosity::verbose);
 }
 
+TEST(CommandLine, TakesTheLookOfThePng) {
+  const RenderJob defaults = parseRender("s.glb -o o.exr").job;
+  EXPECT_FALSE(defaults.look.exposure);
+  EXPECT_EQ(defaults.look.toneMap, ToneMap::neutral);
+  const RenderJob job = parseRender("s.glb -o o.exr --png o.png --exposure -1.5 --tone-map agx").job;
+  EXPECT_EQ(job.look.exposure, -1.5);
+  EXPECT_EQ(job.look.toneMap, ToneMap::agx);
+  EXPECT_FALSE(parseRender("s.glb -o o.exr --exposure auto").job.look.exposure);
+  const auto merge = std::get<MergeCommand>(parse("merge a.exr b.exr -o c.exr --exposure 2 --tone-map none"));
+  EXPECT_EQ(merge.job.look.exposure, 2);
+  EXPECT_EQ(merge.job.look.toneMap, ToneMap::none);
+}
+
 TEST(CommandLine, TakesLightAndBackground) {
   const RenderJob defaults = parseRender("s.glb -o o.exr").job;
   EXPECT_EQ(defaults.light, LightChoice::automatic);
@@ -291,6 +304,11 @@ TEST(CommandLine, RefusesNumbersOutOfRange) {
                           "--seed 4294967296",
                           "--threads 0",
                           "--light dark",
+                          "--exposure bright",
+                          "--exposure 1e9",
+                          "--exposure nan",
+                          "--exposure 1EV",
+                          "--tone-map filmic",
                           "--environment-rotation x",
                           "--environment-rotation inf",
                           "--background white",

@@ -168,7 +168,7 @@ TEST(Png, ShowsAnEvenImageAsMiddleGrey) {
   const TemporaryFolder folder;
   Image image{3, 2, {{"R", {}}, {"G", {}}, {"B", {}}}, {}};
   for (Channel& channel : image.channels) channel.values.assign(6, 123.F);
-  writePng(folder / "a.png", image);
+  writePng(folder / "a.png", image, {.toneMap = ToneMap::none});
   const Pixels pixels = readPng(folder / "a.png");
   EXPECT_EQ(pixels.width, 3);
   EXPECT_EQ(pixels.height, 2);
@@ -177,9 +177,24 @@ TEST(Png, ShowsAnEvenImageAsMiddleGrey) {
   EXPECT_EQ(folder.entries(), 1);
 }
 
+TEST(Png, ShowsLightTwiceForEachStepOfExposure) {
+  const TemporaryFolder folder;
+  const Image image{1, 1, {{"R", {0.05F}}, {"G", {0.05F}}, {"B", {0.05F}}}, {}};
+  writePng(folder / "a.png", image, {.exposure = 2, .toneMap = ToneMap::none});
+  // sRGB of 0.2 is 0.4845, times 255 is 123.6.
+  for (const png_byte value : readPng(folder / "a.png").rgb) EXPECT_EQ(value, 124);
+}
+
+/// The neutral tone map takes 0.04 off what is 0.18.
+TEST(Png, IsNeutralWithoutALook) {
+  const TemporaryFolder folder;
+  writePng(folder / "a.png", Image{1, 1, {{"R", {7}}, {"G", {7}}, {"B", {7}}}, {}});
+  for (const png_byte value : readPng(folder / "a.png").rgb) EXPECT_EQ(value, 105);
+}
+
 TEST(Png, KeepsRowsAndChannelsInOrder) {
   const TemporaryFolder folder;
-  writePng(folder / "a.png", {1, 2, {{"B", {0, 5}}, {"G", {0, 0}}, {"R", {5, 0}}}, {}});
+  writePng(folder / "a.png", {1, 2, {{"B", {0, 5}}, {"G", {0, 0}}, {"R", {5, 0}}}, {}}, {.toneMap = ToneMap::none});
   const Pixels pixels = readPng(folder / "a.png");
   EXPECT_GT(pixels.rgb[0], 0);  // red above
   EXPECT_EQ(pixels.rgb[2], 0);
@@ -189,8 +204,9 @@ TEST(Png, KeepsRowsAndChannelsInOrder) {
 
 /// The image is premultiplied, a PNG is not: half covered by what is as bright elsewhere, the colour is the same.
 TEST(Png, HasAlphaWhereTheImageDoes) {
-  const PngPixels pixels = shownPixels(
-      {3, 1, {{"A", {1, 0.5F, 0}}, {"R", {0.4F, 0.2F, 0}}, {"G", {0.2F, 0.1F, 0}}, {"B", {0, 0, 0}}}, {}}, 1, "image");
+  const PngPixels pixels =
+      shownPixels({3, 1, {{"A", {1, 0.5F, 0}}, {"R", {0.4F, 0.2F, 0}}, {"G", {0.2F, 0.1F, 0}}, {"B", {0, 0, 0}}}, {}},
+                  1, ToneMap::neutral, "image");
   EXPECT_EQ(pixels.alpha, (std::vector<std::uint8_t>{255, 128, 0}));
   for (std::size_t c = 0; c < 3; ++c) {
     EXPECT_EQ(pixels.rgb[3 + c], pixels.rgb[c]);

@@ -1,6 +1,9 @@
 #include "render/options/option_table.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
 
 #include "render/options/aov_table.h"
 #include "render/options/gather_source.h"
@@ -40,6 +43,44 @@ OptionRow layers() {
           [](const RenderJob& job) { return fmt::format("{}", job.aovs.size()); }};
 }
 
+/// Told apart from the text "auto", and within what exp2 of a float holds.
+std::string exposureFault(const std::string& given) {
+  constexpr double kMost = 100;
+  if (given == "auto") return {};
+  if (finite("EV")(given).empty() && std::abs(numberOf<double>(given)) <= kMost) return {};
+  return fmt::format("\"{}\" is neither auto nor a number from -{} to {} EV", given, kMost, kMost);
+}
+
+OptionRow exposure() {
+  return {"--exposure",
+          "EV,auto",
+          "of the PNG: light counts 2^EV times, or as much as makes its\nlog-average middle grey (default: auto)",
+          Group::output,
+          exposureFault,
+          [](RenderJob& job, const std::string& given) {
+            if (given == "auto")
+              job.look.exposure.reset();
+            else
+              job.look.exposure = numberOf<double>(given);
+          },
+          [](const RenderJob& job) { return textOf(job.look.exposure); }};
+}
+
+OptionRow toneMap() {
+  static const std::map<std::string, ToneMap> kNames{
+      {"neutral", ToneMap::neutral}, {"agx", ToneMap::agx}, {"aces", ToneMap::aces}, {"none", ToneMap::none}};
+  return {"--tone-map",
+          "neutral,agx,aces,none",
+          "of the PNG: Khronos PBR Neutral, AgX, ACES, or values above 1\ncut off (default: neutral)",
+          Group::output,
+          oneOf({"neutral", "agx", "aces", "none"}),
+          [](RenderJob& job, const std::string& given) { job.look.toneMap = kNames.at(given); },
+          [](const RenderJob& job) {
+            const auto isIt = [&](const auto& entry) { return entry.second == job.look.toneMap; };
+            return std::ranges::find_if(kNames, isIt)->first;
+          }};
+}
+
 Rows outputOptions() {
   return {
       text(Group::output, "-o,--output", "F.exr", &RenderJob::output,
@@ -48,6 +89,8 @@ Rows outputOptions() {
           .required(),
       text(Group::output, "--png", "F.png", &RenderJob::png, "tone-mapped preview beside it (default: none)")
           .everyday(),
+      exposure(),
+      toneMap(),
       layers(),
       text(Group::output, "--reference", "REF.exr", &RenderJob::reference,
            "image to measure the error against after each pass, for\n--stats (default: none)"),
