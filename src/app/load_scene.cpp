@@ -22,7 +22,8 @@ LoadOptions loadOptions(const RenderJob& job) {
   options.environment = readEnvironmentFile(job.environment);
   options.environmentRotation = job.environmentRotation;
   if (job.width && job.height) options.frameAspect = static_cast<double>(*job.width) / *job.height;
-  options.file = {job.isStrict ? Strictness::strict : Strictness::forgiving, job.sceneName, job.variant};
+  options.file = {job.isStrict ? Strictness::strict : Strictness::forgiving, job.sceneName, job.variant, job.at,
+                  job.animation};
   options.outside = job.allowsOutsideFiles ? OutsideFiles::allowed : OutsideFiles::refused;
   return options;
 }

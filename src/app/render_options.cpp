@@ -115,7 +115,8 @@ bool isEveryday(const CLI::Option& option) {
 }  // namespace
 
 void addSceneOptions(CLI::App& app, RenderJob& job) {
-  for (const char* name : {"--scene", "--variant", "--light", "--environment", "--strict", "--allow-outside-files"})
+  for (const char* name :
+       {"--scene", "--variant", "--at", "--animation", "--light", "--environment", "--strict", "--allow-outside-files"})
     addRow(app, rowOf(name), job, "Options");
 }
 

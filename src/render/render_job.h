@@ -42,10 +42,12 @@ struct RenderJob {
   Look look;                         // of the PNG
   std::optional<int> width, height;  // pixels
   PixelFilter filter = PixelFilter::box;
-  std::string camera;     // name or index; empty: the first
-  std::string sceneName;  // which scene of the file, by name or index; empty: the file's choice
-  std::string variant;    // of KHR_materials_variants; empty: none
-  bool isStrict = false;  // small faults of the file are refused
+  std::string camera;        // name or index; empty: the first
+  std::string sceneName;     // which scene of the file, by name or index; empty: the file's choice
+  std::string variant;       // of KHR_materials_variants; empty: none
+  std::optional<double> at;  // s: the pose of the animations; unset: the pose at rest
+  std::string animation;     // which one plays, by name or index; empty: all
+  bool isStrict = false;     // small faults of the file are refused
   Integrator integrator = Integrator::photon;
   std::optional<int> passes;               // at most
   std::optional<double> seconds;           // wall clock since the process started

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "scene/animation/gltf_animation.h"
 #include "scene/container/gltf_choices.h"
 #include "scene/container/gltf_document.h"
 #include "scene/container/gltf_resources.h"
@@ -133,6 +134,7 @@ Scene loadGltf(const std::filesystem::path& file, Log& log, const LoadOptions& o
 Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem::path& name, const AssetFolder& folder,
                          Log& log, const LoadOptions& options) {
   GltfDocument document = readDocument(bytes, name, folder, log, options.file);
+  poseDocument(document, options.file, log);
   decodeDracoMeshes(document, log);
   const std::vector<PlacedNode> nodes = placeNodes(document);
   MeshLibrary library(document, log);

@@ -118,6 +118,7 @@ int main(int argc, char** argv) {
   if (argc != 2) return 1;
   const std::filesystem::path folder = argv[1], gltf = folder / "loader", exr = folder / "exr";
   write(gltf / "everything.glb", importon::test::everything().glb());
+  write(gltf / "animated.glb", importon::test::animatedFile().glb());
   write(gltf / "profile.glb", importon::test::profileFile().glb());
   write(gltf / "everything.gltf", importon::test::everything().gltf());
   write(gltf / "packed.glb", importon::test::packedFile().glb());

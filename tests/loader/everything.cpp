@@ -49,4 +49,35 @@ GltfBuilder profileFile() {
   return builder;
 }
 
+GltfBuilder animatedFile() {
+  GltfBuilder builder = everything();
+  builder.json.erase("buffers");
+  const int times = builder.addAccessor(std::vector<float>{0, 1, 2}, kFloat, "SCALAR");
+  const int moves = builder.addPositions({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
+  const int spline = builder.addPositions(std::vector<glm::vec3>(9, {1, 2, 1}));
+  const int turns =
+      builder.addAccessor(std::vector<glm::i8vec4>{{0, 0, 0, 127}, {0, 127, 0, 0}, {127, 0, 0, 0}}, kByte, "VEC4");
+  const int weights = builder.addAccessor(std::vector<float>{0, 1, 0.5f}, kFloat, "SCALAR");
+  builder.json["accessors"][turns]["normalized"] = true;
+  const auto channel = [](int sampler, int node, const char* path) {
+    return Json{{"sampler", sampler}, {"target", {{"node", node}, {"path", path}}}};
+  };
+  const Json pointer{{"pointer", "/materials/0/emissiveFactor"}};
+  builder.json["animations"] = Json::array(
+      {{{"name", "all"},
+        {"channels",
+         {channel(0, 0, "translation"),
+          channel(1, 3, "scale"),
+          channel(2, 1, "rotation"),
+          channel(3, 0, "weights"),
+          {{"sampler", 1}, {"target", {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", pointer}}}}}}}},
+        {"samplers",
+         {{{"input", times}, {"output", moves}, {"interpolation", "STEP"}},
+          {{"input", times}, {"output", spline}, {"interpolation", "CUBICSPLINE"}},
+          {{"input", times}, {"output", turns}},
+          {{"input", times}, {"output", weights}, {"interpolation", "LINEAR"}}}}}});
+  builder.json["buffers"] = Json::array({{{"byteLength", builder.binary.size()}}});
+  return builder;
+}
+
 }  // namespace importon::test

@@ -10,4 +10,7 @@ namespace importon::test {
 /// A small file lit by a lamp of measured intensity (EXT_lights_ies).
 [[nodiscard]] GltfBuilder profileFile();
 
+/// The first with an animation of all that a node has, and of a material: all kinds of interpolation, 2 s long.
+[[nodiscard]] GltfBuilder animatedFile();
+
 }  // namespace importon::test

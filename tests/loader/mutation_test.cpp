@@ -47,8 +47,8 @@ Bytes damaged(Bytes bytes, std::mt19937& random) {
   return bytes;
 }
 
-/// How many of `count` damaged copies still load.
-int loaded(const Bytes& whole, unsigned seed, int count) {
+/// How many of `count` damaged copies still load, at rest or in a pose.
+int loaded(const Bytes& whole, unsigned seed, int count, std::optional<double> at = std::nullopt) {
   std::mt19937 random(seed);
   int scenes = 0;
   testing::internal::CaptureStderr();
@@ -56,7 +56,7 @@ int loaded(const Bytes& whole, unsigned seed, int count) {
     const Bytes bytes = damaged(whole, random);
     Log log(Log::Verbosity::quiet);
     try {
-      scenes += load(bytes, log).triangles.empty() ? 0 : 1;
+      scenes += load(bytes, log, {.at = at}).triangles.empty() ? 0 : 1;
     } catch (const SceneError& error) {
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
     }
@@ -69,13 +69,20 @@ constexpr int kCopies = 1000;
 constexpr int kProfileCopies = 60;  // a profile is sampled whole, which takes long
 
 TEST(Mutation, TheWholeFileLoads) {
-  for (const GltfBuilder& file : {everything(), packedFile(), profileFile()}) EXPECT_EQ(errorOf(file), "");
+  for (const GltfBuilder& file : {everything(), packedFile(), profileFile(), animatedFile()})
+    EXPECT_EQ(errorOf(file), "");
 }
 
 TEST(Mutation, DamagedGlbNeverCrashes) {
   const int scenes = loaded(everything().glb(), 1, kCopies);
   EXPECT_GT(scenes, 0) << "the damage is too heavy to test anything";
   EXPECT_LT(scenes, kCopies) << "the damage is too light to test anything";
+}
+
+TEST(Mutation, DamagedAnimationsNeverCrash) {
+  const int scenes = loaded(animatedFile().glb(), 6, kCopies, 0.7);
+  EXPECT_GT(scenes, 0);
+  EXPECT_LT(scenes, kCopies);
 }
 
 TEST(Mutation, DamagedGltfNeverCrashes) {
@@ -111,7 +118,8 @@ void collect(const Json& value, const Json::json_pointer& place, std::vector<Jso
   }
 }
 
-void loadWithWrongKinds(const GltfBuilder& builder, const std::string& from = "") {
+void loadWithWrongKinds(const GltfBuilder& builder, const std::string& from = "",
+                        std::optional<double> at = std::nullopt) {
   std::vector<Json::json_pointer> places;
   const Json::json_pointer root(from);
   collect(builder.json[root], root, places);
@@ -135,7 +143,12 @@ void loadWithWrongKinds(const GltfBuilder& builder, const std::string& from = ""
     for (const Json& kind : kinds) {
       GltfBuilder copy = builder;
       copy.json[place] = kind;
-      (void)errorOf(copy);
+      Log log(Log::Verbosity::quiet);
+      try {
+        (void)load(copy.glb(), log, {.at = at});
+      } catch (const SceneError& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+      }
     }
   }
   testing::internal::GetCapturedStderr();
@@ -147,6 +160,7 @@ TEST(Mutation, NoMemberOfTheWrongKindOfPackedDataCrashes) { loadWithWrongKinds(p
 
 TEST(Mutation, NoMemberOfTheWrongKindOfProfilesCrashes) {
   loadWithWrongKinds(profileFile(), "/extensions/EXT_lights_ies");
+  loadWithWrongKinds(animatedFile(), "/animations", 0.7);
 }
 
 }  // namespace

@@ -76,6 +76,10 @@ std::vector<OptionRow> imageOptions() {
           .everyday(),
       name("--scene", "which scene of the file, by name or index (default: the file's\nchoice)", &RenderJob::sceneName),
       name("--variant", "which variant of the materials, by name or index (default: none)", &RenderJob::variant),
+      number(Group::image, "--at", "SECONDS", &RenderJob::at, notNegative("seconds"),
+             "pose of the animations at that time (default: the pose at rest)"),
+      name("--animation", "which animation plays, by name or index (default: all at once)", &RenderJob::animation)
+          .needs({.what = "a time, --at", .isMet = [](const RenderJob& job) { return job.at.has_value(); }}),
       choice<PixelFilter>(Group::image, "--filter", &RenderJob::filter,
                           {{"box", PixelFilter::box},
                            {"gaussian", PixelFilter::gaussian},

@@ -73,6 +73,11 @@ void applyChoices(Json& document, const FileChoices& choices) {
   }
 }
 
+std::optional<std::size_t> chooseAnimation(const Json& document, const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  return choose(member(document, "animations"), name, "animation", "--animation");
+}
+
 std::vector<std::string> sceneNames(const Json& document) { return namesOf(member(document, "scenes")); }
 
 std::vector<std::string> variantNames(const Json& document) { return namesOf(variantsOf(document)); }

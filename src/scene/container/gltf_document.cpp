@@ -58,9 +58,9 @@ void checkBufferViews(const nlohmann::json& document, const GltfSource& source) 
   }
 }
 
-/// What tinygltf reads: all but the bytes, which it would decode its own way, animations, which a scene at rest has no
-/// use for, and what it refuses: indices of primitives without a buffer view, as compressed ones, and strides that are
-/// no multiple of 4 or above 252; lights of a kind that is not known.
+/// What tinygltf reads: all but the bytes, which it would decode its own way, animations, which
+/// poseDocument reads, and what it refuses: indices of primitives without a buffer view, as compressed ones, and
+/// strides that are no multiple of 4 or above 252; lights of a kind that is not known.
 nlohmann::json structureOf(const nlohmann::json& document) {
   nlohmann::json structure = nlohmann::json::object();
   for (const auto& [key, value] : document.items()) {
@@ -118,6 +118,12 @@ tinygltf::Model parseModel(const nlohmann::json& document, const GltfSource& sou
 }
 
 }  // namespace
+
+void rereadModel(GltfDocument& document) {
+  std::vector<tinygltf::Buffer> buffers = std::move(document.model.buffers);
+  document.model = parseModel(document.json, document.source);
+  document.model.buffers = std::move(buffers);
+}
 
 GltfDocument readDocument(std::span<const std::byte> bytes, const std::filesystem::path& name,
                           const AssetFolder& folder, Log& log, const FileChoices& choices) {

@@ -30,11 +30,15 @@ struct GltfDocument {
   tinygltf::Model model;
   std::vector<std::optional<SceneError>> absences{};  // of the file's buffers: why one has no bytes
   mutable std::map<std::size_t, std::vector<unsigned char>> decodedViews{};  // of viewBytes
+  bool isPosed = false;                                                      // by animations
 };
 
 /// Parses and checks. What `choices` choose is as if the file said so. Throws SceneError, and UsageError where the
 /// choices name nothing that is there.
 [[nodiscard]] GltfDocument readDocument(std::span<const std::byte> bytes, const std::filesystem::path& name,
                                         const AssetFolder& folder, Log& log, const FileChoices& choices = {});
+
+/// Makes the model anew after a change of the JSON that leaves counts and indices as they are. Throws SceneError.
+void rereadModel(GltfDocument& document);
 
 }  // namespace importon

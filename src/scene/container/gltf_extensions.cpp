@@ -11,12 +11,13 @@
 namespace importon {
 namespace {
 
-constexpr std::array<std::string_view, 29> kModelled = {"EXT_lights_ies",
+constexpr std::array<std::string_view, 30> kModelled = {"EXT_lights_ies",
                                                         "EXT_lights_image_based",
                                                         "EXT_mesh_gpu_instancing",
                                                         "EXT_meshopt_compression",
                                                         "EXT_texture_avif",
                                                         "EXT_texture_webp",
+                                                        "KHR_animation_pointer",
                                                         "KHR_draco_mesh_compression",
                                                         "KHR_lights_environment",
                                                         "KHR_lights_punctual",
@@ -58,7 +59,6 @@ constexpr std::array kHarmless{Harmless{"AGI_articulations", "animation"},
                                Harmless{"FB_geometry_metadata", "metadata"},
                                Harmless{"FB_ngon_encoding", "polygons that triangles came from"},
                                Harmless{"GODOT_single_root", "the node hierarchy of an engine"},
-                               Harmless{"KHR_animation_pointer", "animation"},
                                Harmless{"KHR_audio*", "sound"},
                                Harmless{"KHR_collision_shapes", "physics"},
                                Harmless{"KHR_implicit_shapes", "physics"},

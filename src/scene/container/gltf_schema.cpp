@@ -232,9 +232,13 @@ void checkSchema(Json& document, const GltfSource& source, const Faults& faults)
   if (!document.is_object()) {
     throw SceneError("the JSON is not an object", source.at(""), kExportAgain);
   }
-  for (const SchemaRule& rule : schemaRules()) Walk(document, source, faults, rule).run();
+  checkSchema(document, source, faults, schemaRules());
   checkVariants(document, "/cameras", {"perspective", "orthographic"}, source);
   checkVariants(document, "/extensions/KHR_lights_punctual/lights", {"spot"}, source);
+}
+
+void checkSchema(Json& document, const GltfSource& source, const Faults& faults, const std::vector<SchemaRule>& rules) {
+  for (const SchemaRule& rule : rules) Walk(document, source, faults, rule).run();
 }
 
 }  // namespace importon

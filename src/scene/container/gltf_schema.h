@@ -1,8 +1,10 @@
 /// Checks the JSON of a glTF file before anything is read from it: types, ranges, and every index.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
+#include <vector>
 
 #include "scene/container/faults.h"
+#include "scene/container/gltf_schema_rules.h"
 #include "scene/container/gltf_source.h"
 
 namespace importon {
@@ -14,5 +16,9 @@ namespace importon {
 /// Small faults are mended in place: members that are null go, numbers off their range are clamped where a rule says
 /// so, whole numbers that are written 1.0 become 1.
 void checkSchema(nlohmann::json& document, const GltfSource& source, const Faults& faults);
+
+/// The same by these rules alone.
+void checkSchema(nlohmann::json& document, const GltfSource& source, const Faults& faults,
+                 const std::vector<SchemaRule>& rules);
 
 }  // namespace importon

@@ -225,6 +225,22 @@ void addCamerasAndLights(std::vector<SchemaRule>& rules) {
   light.optional("spot", object).range("spot/innerConeAngle", 0).range("spot/outerConeAngle", 0);
 }
 
+std::vector<SchemaRule> makeAnimationRules() {
+  std::vector<SchemaRule> rules;
+  Rules(rules, "").optional("animations", objects);
+  Rules animation(rules, "animations/*");
+  animation.required("channels", objects).required("samplers", objects);
+  Rules channel(rules, "animations/*/channels/*");
+  channel.count("sampler", 0, true).required("target", object).required("target/path", string);
+  channel.reference("target/node", "nodes");
+  const std::string pointer = "target/extensions/KHR_animation_pointer";
+  channel.optional(pointer, object).required(pointer + "/pointer", string);
+  Rules sampler(rules, "animations/*/samplers/*");
+  sampler.reference("input", "accessors", index, true).reference("output", "accessors", index, true);
+  sampler.choice("interpolation", {"LINEAR", "STEP", "CUBICSPLINE"}, false).orElse(SchemaRepair::drop);
+  return rules;
+}
+
 std::vector<SchemaRule> makeRules() {
   std::vector<SchemaRule> rules;
   addRoot(rules);
@@ -244,6 +260,11 @@ std::vector<SchemaRule> makeRules() {
 
 const std::vector<SchemaRule>& schemaRules() {
   static const std::vector<SchemaRule> kRules = makeRules();
+  return kRules;
+}
+
+const std::vector<SchemaRule>& animationRules() {
+  static const std::vector<SchemaRule> kRules = makeAnimationRules();
   return kRules;
 }
 

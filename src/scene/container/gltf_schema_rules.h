@@ -34,4 +34,7 @@ struct SchemaRule {
 /// Parents stand before their children.
 [[nodiscard]] const std::vector<SchemaRule>& schemaRules();
 
+/// Of animations, which a scene at rest does not read.
+[[nodiscard]] const std::vector<SchemaRule>& animationRules();
+
 }  // namespace importon

@@ -75,9 +75,11 @@ T load(const unsigned char* data) {
   return value;
 }
 
-/// 0 for scalars and matrices.
+/// 0 for matrices.
 int vectorLength(int type) {
   switch (type) {
+    case TINYGLTF_TYPE_SCALAR:
+      return 1;
     case TINYGLTF_TYPE_VEC2:
       return 2;
     case TINYGLTF_TYPE_VEC3:
@@ -209,6 +211,7 @@ std::vector<glm::vec<N, float>> readFloats(const GltfDocument& document, int acc
   return values;
 }
 
+template std::vector<glm::vec1> readFloats<1>(const GltfDocument&, int, const std::string&);
 template std::vector<glm::vec2> readFloats<2>(const GltfDocument&, int, const std::string&);
 template std::vector<glm::vec3> readFloats<3>(const GltfDocument&, int, const std::string&);
 template std::vector<glm::vec4> readFloats<4>(const GltfDocument&, int, const std::string&);

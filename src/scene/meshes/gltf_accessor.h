@@ -12,7 +12,7 @@ namespace importon {
 /// All elements as floats. Normalised integers become [0, 1] or [-1, 1]; others their value. Throws SceneError
 /// at `pointer` (where the accessor is used) unless it has `N` components of a type that glTF allows and lies
 /// in its buffer view. VEC4 from a VEC3 accessor is allowed and fills with 1 (COLOR_0). One implementation for
-/// N = 2, 3, 4.
+/// N = 1 (a SCALAR), 2, 3, 4.
 template <int N>
 [[nodiscard]] std::vector<glm::vec<N, float>> readFloats(const GltfDocument& document, int accessor,
                                                          const std::string& pointer);

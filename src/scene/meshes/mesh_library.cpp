@@ -66,8 +66,9 @@ std::vector<MeshInstance> MeshLibrary::instances(std::span<const PlacedNode> nod
     std::optional<SkinPose> pose;
     if (node.skin >= 0) {
       pose = readSkinPose(document_, static_cast<std::size_t>(node.skin), placedNodes);
-      log_.warn("skinned mesh",
-                fmt::format("{}: the mesh stands as the joints' own transforms pose it", document_.source.at(pointer)));
+      if (!document_.isPosed)
+        log_.warn("skinned mesh", fmt::format("{}: the mesh stands as the joints' own transforms pose it",
+                                              document_.source.at(pointer)));
     }
     for (const MeshPart* part : partsOf(node)) {
       if (pose && !part->jointSets.empty()) {
