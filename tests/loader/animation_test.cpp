@@ -1,4 +1,5 @@
 /// Poses of animated files.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

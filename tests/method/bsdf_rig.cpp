@@ -90,7 +90,7 @@ std::vector<Answer> BsdfTest::sampleFreely(const Query& material, const vec3& wo
 }
 
 void BsdfTest::expectDensity(const Case& c, const vec3& wo) const {
-  constexpr int kSamples = 100'000;
+  constexpr int kSamples = 200'000;
   const vec3 axis = c.sharp ? vec3(-wo.x, -wo.y, wo.z) : vec3(0, 0, 1);
   test::SphereHistogram cells(axis, c.sharp ? static_cast<double>(c.material.alpha) : 1.0, 20, 20);
   double deltas = 0;

@@ -61,7 +61,7 @@ std::shared_ptr<const EnvironmentGuide> aimAtEscapes(PassContext& context, const
   const double radius = static_cast<double>(context.parameters.sceneRadius);
   // A few tell whether it is worth it: most scenes lie open under their sky.
   auto worth = EnvironmentGuide::Worth::unknown;
-  for (const std::uint32_t end : {std::min(kFirstEscapePaths, paths), paths}) {
+  for (std::uint32_t end = std::min(kFirstEscapePaths, paths); batch.first < paths; end = paths) {
     for (; batch.first < end; batch.first += batch.count) {
       batch.count = std::min(context.plan.batch, end - batch.first);
       noteEscapes(stage, system.kind, system.importance, *guide, batch);
