@@ -244,7 +244,7 @@ TEST(Animation, AFileWithoutOneIsShownAtRestWithAWarning) {
   EXPECT_EQ(warnings[0].kind, "no animation");
 }
 
-TEST(Animation, ReadsKeysThatAreSparseOrMeshoptCompressed) {
+TEST(Animation, ReadsKeysThatAreSparse) {
   GltfBuilder builder = GltfBuilder::emissiveTriangle();
   addMove(builder, 0, {0, 0, 0}, {2, 0, 0});
   const std::uint8_t place = 1;
