@@ -93,8 +93,9 @@ void main() {
   Bsdf b = makeBsdf(s, cosIn);
   makeAdjoint(b);
   if (hasRoughLobe(b) && !isFrosted(b)) writeRecord(at, s, isGlossy(b), ray.direction, path);
-  if (kPhotonKind == kPhotonsGlobal && (path.flags & (kPathScattered | kPathSpecular)) == 0u)
-    seeLight(path.source, s.position);
+  // Importance that is traced as photons are has no light.
+  const bool isFromLight = (path.flags & (kPathScattered | kPathSpecular)) == 0u && path.source != kNone;
+  if (kPhotonKind == kPhotonsGlobal && isFromLight) seeLight(path.source, s.position);
   if (kReadsCells && kPhotonKind == kPhotonsGlobal) writeCell(at, s, hit, b, ray.direction, cosIn);
   Ray next;
   if (!scatter(s, b, ray.direction, path, next)) return;

@@ -54,8 +54,6 @@ std::shared_ptr<const EnvironmentGuide> aimAtEscapes(PassContext& context, const
                                                      const EmissionGuide& emission) {
   const std::uint32_t paths = std::min(kEscapePaths, 2 * context.plan.whole.photonsFor(system.kind));
   if (context.parameters.environmentLight == kNone || system.importance.count == 0 || paths == 0) return nullptr;
-  // SwiftShader ends in a segmentation fault in these kernels; why is not known yet (docs/devices.md).
-  if (context.device->context.info().name.find("SwiftShader") != std::string::npos) return nullptr;
   const Stage stage = context.stage();
   const auto guide = std::make_shared<EnvironmentGuide>(stage.gpu, paths);
   ScatterBatch batch{
