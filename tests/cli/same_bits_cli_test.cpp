@@ -37,13 +37,15 @@ class CliRenderSameBits : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-// With caustic maps, guides, and lone sites in the importance map.
+// With caustic maps, guides, and lone sites in the importance map; and with panes, and a sky whose photons are aimed.
 TEST_F(CliRenderSameBits, OnAnotherDriver) {
   const char* const other = std::getenv("IMPORTON_TEST_OTHER_DRIVER");
   if (other == nullptr || *other == '\0') GTEST_SKIP() << "IMPORTON_TEST_OTHER_DRIVER names no driver";
-  const std::vector<float> own = render("pool", {});
-  ASSERT_FALSE(own.empty());
-  EXPECT_EQ(own, render("pool", {{"VK_DRIVER_FILES", other}}));
+  for (const char* scene : {"pool", "window"}) {
+    const std::vector<float> own = render(scene, {});
+    ASSERT_FALSE(own.empty());
+    EXPECT_EQ(own, render(scene, {{"VK_DRIVER_FILES", other}})) << scene;
+  }
 }
 
 }  // namespace
