@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -11,18 +10,19 @@ namespace {
 
 struct Loop {
   Id header = 0, merge = 0;
-  std::set<Id> members;  // labels
+  IdSet members;  // labels
 };
 
 /// Blocks that are reached from the header without leaving by the merge block.
-std::set<Id> membersOf(const ModuleBlocks& module, Id header, Id merge) {
-  std::set<Id> members{header};
+IdSet membersOf(const ModuleBlocks& module, Id header, Id merge) {
+  IdSet members;
+  members.insert(header);
   std::vector<Id> open{header};
   while (!open.empty()) {
     const Id label = open.back();
     open.pop_back();
     for (const Id next : module.block(label).successors)
-      if (next != merge && members.insert(next).second) open.push_back(next);
+      if (next != merge && members.insert(next)) open.push_back(next);
   }
   return members;
 }
@@ -62,8 +62,8 @@ bool readsMemory(SpvOp operation) {
 
 /// Values of the loop that depend on what is read in it: a turn in which a lane has no part reads something else for
 /// it. Others come out of the header's phis again, turn by turn.
-std::set<Id> readIn(const ModuleBlocks& module, const Loop& loop) {
-  std::set<Id> values;
+IdSet readIn(const ModuleBlocks& module, const Loop& loop) {
+  IdSet values;
   for (std::size_t before = 1; before != values.size();) {  // until no phi adds any
     before = values.size();
     for (const Block& block : module.blocks) {
@@ -101,8 +101,8 @@ class Closer {
  private:
   /// All values that leave the loop, with their types; none if none of them depends on what is read in it.
   std::vector<std::pair<Id, Id>> leavingValues(const Loop& loop) {
-    const std::set<Id> read = readIn(module_, loop);
-    std::set<Id> usedAfter;
+    const IdSet read = readIn(module_, loop);
+    IdSet usedAfter;
     forUsesOutside(module_, loop, [&](Id& id) { usedAfter.insert(id); });
     std::vector<std::pair<Id, Id>> leaving;
     bool isRead = false;

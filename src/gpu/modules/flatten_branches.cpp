@@ -41,7 +41,10 @@ class Flattener {
     for (const Block& block : module_.blocks) {
       for (const Id next : block.successors) ++parents_[next];
       for (const Instruction& i : block.instructions)
-        if (i.operation == SpvOpLoopMerge) ofLoops_.insert({i.words[1], i.words[2]});
+        if (i.operation == SpvOpLoopMerge) {
+          ofLoops_.insert(i.words[1]);
+          ofLoops_.insert(i.words[2]);
+        }
     }
   }
 
@@ -116,17 +119,18 @@ class Flattener {
     return phi.words[at - 1];
   }
 
-  /// In phis: what came from one block comes from the other.
+  /// In phis, which come first in a block: what came from one block comes from the other.
   void rename(Id from, Id to) {
-    for (Block& block : module_.blocks)
-      for (Instruction& i : block.instructions)
-        for (std::size_t parent = 4; i.operation == SpvOpPhi && parent < i.words.size(); parent += 2)
-          if (i.words[parent] == from) i.words[parent] = to;
+    for (Block& block : module_.blocks) {
+      for (auto i = block.instructions.begin() + 1; i != block.instructions.end() && i->operation == SpvOpPhi; ++i)
+        for (std::size_t parent = 4; parent < i->words.size(); parent += 2)
+          if (i->words[parent] == from) i->words[parent] = to;
+    }
   }
 
   ModuleBlocks& module_;
   std::map<Id, int> parents_;  // by label: blocks that branch to it
-  std::set<Id> ofLoops_;       // where loops end or go on
+  IdSet ofLoops_;              // where loops end or go on
 };
 
 }  // namespace

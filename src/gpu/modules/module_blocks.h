@@ -2,14 +2,33 @@
 #pragma once
 #include <spirv_cross/spirv.h>
 
+#include <cstddef>
 #include <cstdint>
-#include <set>
 #include <vector>
 
 namespace importon::gpu {
 
 using ModuleWords = std::vector<std::uint32_t>;
 using Id = std::uint32_t;
+
+/// A set of ids, which are small numbers.
+class IdSet {
+ public:
+  /// True if it was not in there.
+  bool insert(Id id) {
+    if (contains(id)) return false;
+    if (id >= has_.size()) has_.resize(id + std::size_t{1});
+    has_[id] = true;
+    ++size_;
+    return true;
+  }
+  [[nodiscard]] bool contains(Id id) const { return id < has_.size() && has_[id]; }
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+ private:
+  std::vector<bool> has_;
+  std::size_t size_ = 0;
+};
 
 struct Instruction {
   ModuleWords words;
@@ -32,7 +51,7 @@ struct ModuleBlocks {
   ModuleWords header;
   std::vector<Instruction> declarations;  // what stands before the first block
   std::vector<Block> blocks;              // the last of a function ends with what stands before the next one
-  std::set<Id> pointers, images;          // types
+  IdSet pointers, images;                 // types
 
   [[nodiscard]] Id newId();
   /// Throws std::runtime_error for a label that no block has.

@@ -29,40 +29,65 @@ double lambda(const dvec3& w, const Alpha& alpha) {
   return 0.5 * (std::sqrt(1 + slope2 / std::max(w.z * w.z, 1e-30)) - 1);
 }
 
-dvec3 visibleNormal(const dvec3& wo, const Alpha& alpha, double u, double v) {
-  const dvec3 view = glm::normalize(dvec3(alpha.x * wo.x, alpha.y * wo.y, wo.z));
-  const double sine = std::hypot(view.x, view.y);
-  const dvec3 t1 = sine > 0 ? dvec3(-view.y, view.x, 0) / sine : dvec3(1, 0, 0);
-  const dvec3 t2 = glm::cross(view, t1);
-  const double r = std::sqrt(u), phi = 2 * kPi * v, x = r * std::cos(phi), s = 0.5 * (1 + view.z);
-  const double y = (1 - s) * std::sqrt(std::max(0.0, 1 - x * x)) + s * r * std::sin(phi);
-  const dvec3 n = x * t1 + y * t2 + std::sqrt(std::max(0.0, 1 - x * x - y * y)) * view;
-  return glm::normalize(dvec3(alpha.x * n.x, alpha.y * n.y, std::max(1e-9, n.z)));
+double fifthPower(double x) { return x * x * x * x * x; }
+
+/// The centres of side x side cells of equal area of the unit disc.
+std::vector<glm::dvec2> discPoints(int side) {
+  std::vector<glm::dvec2> points;
+  for (int i = 0; i < side; ++i) {
+    for (int j = 0; j < side; ++j) {
+      const double r = std::sqrt((i + 0.5) / side), phi = 2 * kPi * (j + 0.5) / side;
+      points.emplace_back(r * std::cos(phi), r * std::sin(phi));
+    }
+  }
+  return points;
 }
+
+/// Microfacet normals as a direction sees them, stretched.
+class VisibleNormals {
+ public:
+  VisibleNormals(const dvec3& wo, const Alpha& alpha)
+      : alpha_(alpha), view_(glm::normalize(dvec3(alpha.x * wo.x, alpha.y * wo.y, wo.z))) {
+    const double sine = std::sqrt(view_.x * view_.x + view_.y * view_.y);
+    if (sine > 0) t1_ = dvec3(-view_.y, view_.x, 0) / sine;
+    t2_ = glm::cross(view_, t1_);
+  }
+  dvec3 at(const glm::dvec2& disc) const {
+    const double x = disc.x, s = 0.5 * (1 + view_.z);
+    const double y = (1 - s) * std::sqrt(std::max(0.0, 1 - x * x)) + s * disc.y;
+    const dvec3 n = x * t1_ + y * t2_ + std::sqrt(std::max(0.0, 1 - x * x - y * y)) * view_;
+    return glm::normalize(dvec3(alpha_.x * n.x, alpha_.y * n.y, std::max(1e-9, n.z)));
+  }
+
+ private:
+  Alpha alpha_;
+  dvec3 view_, t1_{1, 0, 0}, t2_{};
+};
 
 dvec3 directionAt(double cosine) { return {std::sqrt(std::max(0.0, 1 - cosine * cosine)), 0, cosine}; }
 
-/// Mean of `weight(wo, h)` over normals visible from wo.
-template <class Weight>
-auto meanOverNormals(const dvec3& wo, const Alpha& alpha, int side, const Weight& weight) {
+/// Mean of `weight(h)` over normals visible from wo, Side x Side of them.
+template <int Side, class Weight>
+auto meanOverNormals(const dvec3& wo, const Alpha& alpha, const Weight& weight) {
+  static const std::vector<glm::dvec2> kPoints = discPoints(Side);
+  const VisibleNormals normals(wo, alpha);
   Pair sum{};
-  for (int i = 0; i < side; ++i) {
-    for (int j = 0; j < side; ++j) {
-      const Pair w = weight(visibleNormal(wo, alpha, (i + 0.5) / side, (j + 0.5) / side));
-      sum[0] += w[0];
-      sum[1] += w[1];
-    }
+  for (const glm::dvec2& point : kPoints) {
+    const Pair w = weight(normals.at(point));
+    sum[0] += w[0];
+    sum[1] += w[1];
   }
-  return Pair{sum[0] / (side * side), sum[1] / (side * side)};
+  return Pair{sum[0] / (Side * Side), sum[1] / (Side * Side)};
 }
 
-Pair reflectionAlbedo(const dvec3& wo, const Alpha& alpha, int side) {
+template <int Side>
+Pair reflectionAlbedo(const dvec3& wo, const Alpha& alpha) {
   const double out = 1 + lambda(wo, alpha);
-  return meanOverNormals(wo, alpha, side, [&](const dvec3& h) {
+  return meanOverNormals<Side>(wo, alpha, [&](const dvec3& h) {
     const double c = glm::dot(wo, h);
     const dvec3 wi = 2 * c * h - wo;
     const double weight = wi.z > 0 ? out / (out + lambda(wi, alpha)) : 0;
-    return Pair{weight, weight * std::pow(std::clamp(1 - c, 0.0, 1.0), 5)};
+    return Pair{weight, weight * fifthPower(std::clamp(1 - c, 0.0, 1.0))};
   });
 }
 
@@ -88,7 +113,7 @@ std::vector<Pair> stretchedRows(const Alpha& alpha) {
       const double cosine = std::pow(std::max(i / (kStretchCosines - 1.0), 0.03), 2),
                    sine = std::sqrt(1 - cosine * cosine);
       rows.push_back(
-          reflectionAlbedo(dvec3(sine * std::sqrt(azimuth), sine * std::sqrt(1 - azimuth), cosine), alpha, kSide));
+          reflectionAlbedo<kSide>(dvec3(sine * std::sqrt(azimuth), sine * std::sqrt(1 - azimuth), cosine), alpha));
     }
   }
   return rows;
@@ -106,7 +131,7 @@ double glassAlbedo(double cosine, double alpha, double eta) {
   constexpr int kSide = 40;
   const dvec3 wo = directionAt(cosine);
   const double out = 1 + lambda(wo, alpha);
-  return meanOverNormals(wo, alpha, kSide, [&](const dvec3& h) {
+  return meanOverNormals<kSide>(wo, alpha, [&](const dvec3& h) {
     const double c = std::max(glm::dot(wo, h), 0.0), f = fresnel(c, eta);
     const dvec3 mirrored = 2 * c * h - wo;
     double sum = mirrored.z > 0 ? f * out / (out + lambda(mirrored, alpha)) : 0;
@@ -166,7 +191,7 @@ Pair coatTaken(double cosine, double alpha, const CoatReflectance& reflectance) 
   constexpr int kSide = 40, kSteps = 200;
   const dvec3 wo = directionAt(cosine);
   const double out = 1 + lambda(wo, alpha), turnedOut = reflectance(cosine);
-  const Pair metal = meanOverNormals(wo, alpha, kSide, [&](const dvec3& h) {
+  const Pair metal = meanOverNormals<kSide>(wo, alpha, [&](const dvec3& h) {
     const dvec3 wi = 2 * glm::dot(wo, h) * h - wo;
     const double weight = wi.z > 0 ? out / (out + lambda(wi, alpha)) : 0;
     return Pair{weight, weight * std::max(reflectance(wi.z) - turnedOut, 0.0)};
@@ -235,7 +260,7 @@ void writeStretched() {
 void writeAll() {
   std::vector<Pair> texels, means;
   tabulate(
-      kAlbedoSide, [](double cosine, double alpha) { return reflectionAlbedo(directionAt(cosine), alpha, 96); }, texels,
+      kAlbedoSide, [](double cosine, double alpha) { return reflectionAlbedo<96>(directionAt(cosine), alpha); }, texels,
       means);
   for (const auto* list : {&texels, &means}) std::for_each(list->begin(), list->end(), write);
   const std::vector<Pair> reflection = texels, reflectionMeans = means;

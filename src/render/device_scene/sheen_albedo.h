@@ -19,14 +19,17 @@ class SheenLobe {
   double albedo(double cosine, const Bound& bound) const {
     constexpr int kSide = 160;
     const double sine = std::sqrt(1 - cosine * cosine);
+    std::array<double, kSide> turns;
+    for (int j = 0; j < kSide; ++j) turns[j] = std::cos((j + 0.5) / kSide * kPi);
     double sum = 0;
     for (int i = 0; i < kSide; ++i) {
-      const double z = (i + 0.5) / kSide, s = std::sqrt(1 - z * z), limit = bound(z);
-      for (int j = 0; j < kSide; ++j) {
-        const double phi = (j + 0.5) / kSide * kPi, x = sine + s * std::cos(phi), y = s * std::sin(phi), h = cosine + z;
-        const double sin2 = (x * x + y * y) / (x * x + y * y + h * h);
-        sum += limit * std::pow(sin2, 0.5 / alpha_) / (1 + lambda(cosine) + lambda(z));
+      const double z = (i + 0.5) / kSide, s = std::sqrt(1 - z * z), h2 = (cosine + z) * (cosine + z);
+      double row = 0;
+      for (const double turn : turns) {
+        const double across2 = std::max(0.0, sine * sine + s * s + 2 * sine * s * turn);
+        row += std::pow(across2 / (across2 + h2), 0.5 / alpha_);
       }
+      sum += bound(z) * row / (1 + lambda(cosine) + lambda(z));
     }
     return sum / (kSide * kSide) * (2 + 1 / alpha_) / (4 * cosine);
   }
