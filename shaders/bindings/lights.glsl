@@ -6,12 +6,12 @@
 
 layout(scalar) readonly buffer LightAliasBlock { LightAlias lightAlias[]; };
 uniform usamplerBuffer environmentTexels;
-uniform usamplerBuffer environmentAliasesPairs;
+uniform usamplerBuffer environmentDrawPairs;
 
 LightAlias lightAliasAt(uint i) { return lightAlias[i]; }
 
 uvec4 environmentTexel(uint i) { return texelFetch(environmentTexels, int(i)); }
-uvec2 environmentAlias(uint i) { return texelFetch(environmentAliasesPairs, int(i)).xy; }
+uvec2 environmentDrawn(uint i) { return texelFetch(environmentDrawPairs, int(i)).xy; }
 uvec2 environmentSize() { return params.environmentSize; }
 
 #include "lib/light_voxel.glsl"

@@ -1,8 +1,8 @@
 // Light from far away, as a lat-long map. Its middle row and column look along -z, its right half to +x, its top
 // row up, +y; radiance is interpolated between texels.
 // The kernel defines `uvec4 environmentTexel(uint index)` (radiance, and the density 1/sr with which directions in
-// the texel are drawn), `uvec2 environmentAlias(uint index)` (threshold and other entry: Walker's table of the rows,
-// then a table of the columns of each row) and `uvec2 environmentSize()` before including this file.
+// the texel are drawn), `uvec2 environmentDrawn(uint index)` (DrawnEntry of src/scene/environment.h: a table of the rows,
+// then one of the columns of each row) and `uvec2 environmentSize()` before including this file.
 #ifndef IMPORTON_LIB_ENVIRONMENT_GLSL
 #define IMPORTON_LIB_ENVIRONMENT_GLSL
 #include "lib/sampling.glsl"
@@ -38,23 +38,25 @@ float pdfEnvironment(vec3 direction) {
   return uintBitsToFloat(environmentTexel(texel.y * size.x + texel.x).w);
 }
 
-/// Draws an entry of an alias table of `count` entries from `first`; what is left of u is uniform again.
-uint drawAlias(uint first, uint count, inout float u) {
-  const float scaled = u * float(count);
-  const uint entry = min(uint(scaled), count - 1u);
-  const float rest = min(scaled - float(entry), 0.99999994);
-  const uvec2 alias = environmentAlias(first + entry);
-  const float threshold = uintBitsToFloat(alias.x);
-  const bool isOwn = rest < threshold;
-  u = isOwn ? rest / threshold : (rest - threshold) / (1.0 - threshold);
-  return isOwn ? entry : alias.y;
+/// Draws an entry of a table of `count` entries from `first`; what is left of u is uniform again. Entries follow u in
+/// order, so that points that are even in u are so over the map: with few samples an alias table has twice the error.
+uint drawEntry(uint first, uint count, inout float u) {
+  uint entry = environmentDrawn(first + min(uint(u * float(count)), count - 1u)).x;
+  float begin = entry == 0u ? 0.0 : uintBitsToFloat(environmentDrawn(first + entry - 1u).y);
+  float end = uintBitsToFloat(environmentDrawn(first + entry).y);
+  while (u >= end && entry + 1u < count) {
+    begin = end;
+    end = uintBitsToFloat(environmentDrawn(first + ++entry).y);
+  }
+  u = clamp((u - begin) / (end - begin), 0.0, 0.99999994);
+  return entry;
 }
 
 /// A direction by radiance: row, then column, then uniform over the texel's solid angle.
 vec3 sampleEnvironment(vec2 u, out float pdf) {
   const uvec2 size = environmentSize();
-  const uint row = drawAlias(0u, size.y, u.y);
-  const uint column = drawAlias(size.y + row * size.x, size.x, u.x);
+  const uint row = drawEntry(0u, size.y, u.y);
+  const uint column = drawEntry(size.y + row * size.x, size.x, u.x);
   pdf = uintBitsToFloat(environmentTexel(row * size.x + column).w);
   const float top = portableCos(kPi * float(row) / float(size.y));
   const float bottom = portableCos(kPi * float(row + 1u) / float(size.y));

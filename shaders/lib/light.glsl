@@ -110,6 +110,7 @@ const float kDefensiveShare = 0.1;
 
 /// Probability with which chooseLight takes `index` at x; of lights that bring nothing there, anything.
 float lightProbability(uint count, uint index, vec3 x, float weightSum) {
+  if (count == 1u) return 1.0;
   float byWeight = 0.0;
   if (count > kLinearLights) byWeight = treeProbability(count, index, x, lightsSeen(x));
   else if (weightSum > 0.0) byWeight = weightOfLight(index, x, lightsSeen(x)) / weightSum;
@@ -122,6 +123,10 @@ float lightProbability(uint count, uint index, vec3 x, float weightSum) {
 uint chooseLight(uint count, vec3 x, inout float u, out float probability, out float weightSum) {
   probability = weightSum = 0.0;
   if (count == 0u) return kNone;
+  if (count == 1u) {
+    probability = 1.0;
+    return 0u;
+  }
   const bool isDefensive = u < kDefensiveShare;
   const float scaled = (isDefensive ? u / kDefensiveShare : (u - kDefensiveShare) / (1.0 - kDefensiveShare));
   u = scaled;

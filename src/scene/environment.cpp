@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <numeric>
 
 #include "base/error.h"
 #include "scene/light_math.h"
@@ -49,18 +50,52 @@ vec3 meanRadiance(const EnvironmentMap& map) {
   return vec3(sum / (4 * kPi));
 }
 
-std::vector<float> environmentDensities(const EnvironmentMap& map) {
-  std::vector<double> light;
-  double sum = 0;
-  for (int y = 0; y < map.height; ++y) {
-    for (int x = 0; x < map.width; ++x) {
-      light.push_back(blurredLight(map, x, y));
-      sum += light.back() * texelSolidAngle(map, y);
+std::vector<DrawnEntry> inversionTable(std::span<const double> weights) {
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  const std::size_t n = weights.size();
+  std::vector<DrawnEntry> table(n);
+  double before = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    before += weights[i];
+    table[i].end = static_cast<float>(before / sum);
+  }
+  std::uint32_t at = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    while (at + 1 < n && !(static_cast<double>(table[at].end) * static_cast<double>(n) > static_cast<double>(i))) ++at;
+    table[i].first = at;
+  }
+  return table;
+}
+
+EnvironmentDraw drawByLight(const EnvironmentMap& map) {
+  const auto width = static_cast<std::size_t>(map.width), height = static_cast<std::size_t>(map.height);
+  std::vector<double> light(width * height), rows(height);
+  for (std::size_t y = 0; y < height; ++y) {
+    for (std::size_t x = 0; x < width; ++x) {
+      light[y * width + x] = blurredLight(map, static_cast<int>(x), static_cast<int>(y));
+      rows[y] += light[y * width + x] * texelSolidAngle(map, static_cast<int>(y));
     }
   }
-  std::vector<float> densities;
-  for (const double value : light) densities.push_back(static_cast<float>(sum > 0 ? value / sum : 1 / (4 * kPi)));
-  return densities;
+  if (std::ranges::all_of(rows, [](double row) { return row == 0; })) {
+    std::ranges::fill(light, 1.0);
+    for (std::size_t y = 0; y < height; ++y) rows[y] = texelSolidAngle(map, static_cast<int>(y));
+  }
+  const std::vector<double> even(width, 1.0);
+  EnvironmentDraw draw{inversionTable(rows), {}};
+  // As the tables have it after rounding, so that what is drawn has this density exactly.
+  const auto shareOf = [](std::span<const DrawnEntry> table, std::size_t i) {
+    return static_cast<double>(table[i].end) - (i > 0 ? static_cast<double>(table[i - 1].end) : 0.0);
+  };
+  for (std::size_t y = 0; y < height; ++y) {
+    const std::span<const double> row = std::span(light).subspan(y * width, width);
+    const bool isDrawn = rows[y] > 0;
+    const std::vector<DrawnEntry> columns = inversionTable(isDrawn ? row : even);
+    const double share = shareOf(draw.entries, y) / texelSolidAngle(map, static_cast<int>(y));
+    for (std::size_t x = 0; x < width; ++x)
+      draw.densities.push_back(static_cast<float>(isDrawn ? share * shareOf(columns, x) : 0.0));
+    draw.entries.insert(draw.entries.end(), columns.begin(), columns.end());
+  }
+  return draw;
 }
 
 EnvironmentMap turned(const EnvironmentMap& map, double degrees) {

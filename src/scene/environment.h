@@ -1,5 +1,7 @@
 /// What is known of a lat-long environment map: how much light comes from where.
 #pragma once
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scene/scene.h"
@@ -12,10 +14,25 @@ namespace importon {
 /// Mean over all directions, W/(m² sr).
 [[nodiscard]] vec3 meanRadiance(const EnvironmentMap& map);
 
-/// Densities of drawing directions in each texel by its light, 1/sr; constant over a texel. Radiance is
-/// interpolated, so a texel counts its neighbours too, and none that shows light has density 0. All are
-/// 1 / (4 pi) for a black map.
-[[nodiscard]] std::vector<float> environmentDensities(const EnvironmentMap& map);
+/// An entry of a table by which entries are drawn in proportion to weights, in their order: u in [0, 1) stands for the
+/// first one whose `end` is more. [Chen and Asau 1974]
+struct DrawnEntry {
+  std::uint32_t first = 0;  // of n, entry i: the entry that i / n stands for, where the search starts
+  float end = 1;            // the sum of weights up to here, over that of all
+};
+
+/// Weights that sum up to more than 0.
+[[nodiscard]] std::vector<DrawnEntry> inversionTable(std::span<const double> weights);
+
+/// How directions are drawn by light.
+struct EnvironmentDraw {
+  std::vector<DrawnEntry> entries;  // of the rows, then of the columns of each row
+  std::vector<float> densities;     // of each texel, constant over it, 1/sr
+};
+
+/// Radiance is interpolated, so a texel counts its neighbours too, and none that shows light has density 0 but what is
+/// lost to rounding. All are 1 / (4 pi) for a black map.
+[[nodiscard]] EnvironmentDraw drawByLight(const EnvironmentMap& map);
 
 /// Direction of a place in the map, 0 .. 1 from the left and from the top, by lib/environment.glsl.
 [[nodiscard]] glm::dvec3 environmentDirection(double x, double y);

@@ -18,14 +18,14 @@ struct Answer {
 layout(binding = 0, scalar) readonly buffer In { Query items[]; };
 layout(binding = 1, scalar) writeonly buffer Out { Answer results[]; };
 layout(binding = 2) uniform usamplerBuffer environmentTexels;
-layout(binding = 3) uniform usamplerBuffer aliasesPairs;
+layout(binding = 3) uniform usamplerBuffer drawPairs;
 layout(push_constant, scalar) uniform Push {
   uint count;
   uvec2 size;
 };
 
 uvec4 environmentTexel(uint i) { return texelFetch(environmentTexels, int(i)); }
-uvec2 environmentAlias(uint i) { return texelFetch(aliasesPairs, int(i)).xy; }
+uvec2 environmentDrawn(uint i) { return texelFetch(drawPairs, int(i)).xy; }
 uvec2 environmentSize() { return size; }
 #include "lib/environment.glsl"
 

@@ -43,7 +43,7 @@ class Environments : public test::GpuTest {
     const gpu::Kernel kernel(context(), "environment", test_kernels::code("environment"), {});
     const gpu::Buffer input = gpu::makeBuffer(context(), "queries", std::span<const Query>(queries));
     const gpu::Buffer output(context(), "answers", queries.size() * sizeof(Answer));
-    const gpu::Buffer* const bindings[] = {&input, &output, &device.environment, &device.environmentAliases};
+    const gpu::Buffer* const bindings[] = {&input, &output, &device.environment, &device.environmentDraw};
     gpu::Recorder recorder(context());
     recorder.dispatch(kernel, bindings, queries.size(),
                       Push{static_cast<std::uint32_t>(queries.size()), uvec2(map.width, map.height)});
@@ -110,6 +110,28 @@ TEST_F(Environments, DrawDirectionsWithTheStatedDensity) {
     EXPECT_NEAR(sum, 1, 1e-5);
     for (double& e : expected) e /= sum;
     EXPECT_GT(test::chiSquareTest(counts, expected).pValue, 1e-4);
+  }
+}
+
+// Points that are even over the square are even over the map, then: fewer samples have the same error.
+TEST_F(Environments, AreDrawnInTheOrderOfU) {
+  constexpr int kSteps = 500;
+  const EnvironmentMap map = randomMap(12, 6);
+  std::vector<Query> queries;
+  for (const float other : {0.1f, 0.5f, 0.9f}) {
+    for (int i = 0; i < kSteps; ++i)
+      queries.push_back({vec2(other, (static_cast<float>(i) + 0.5f) / kSteps), vec3(0, 1, 0)});
+    for (int i = 0; i < kSteps; ++i)
+      queries.push_back({vec2((static_cast<float>(i) + 0.5f) / kSteps, other), vec3(0, 1, 0)});
+  }
+  const std::vector<Answer> answers = ask(map, queries);
+  const auto azimuth = [](const Answer& a) { return std::atan2(a.sampled.x, -a.sampled.z); };
+  for (std::size_t i = 1; i < answers.size(); ++i) {
+    if (i % kSteps == 0) continue;
+    if (i / kSteps % 2 == 0)
+      EXPECT_LT(answers[i].sampled.y, answers[i - 1].sampled.y) << i;
+    else
+      EXPECT_GT(azimuth(answers[i]), azimuth(answers[i - 1])) << i;
   }
 }
 

@@ -82,8 +82,7 @@ std::vector<uvec4> packLightTree(const Scene& scene) {
 }
 
 /// Radiance and the density of drawing each texel.
-std::vector<uvec4> packEnvironment(const EnvironmentMap& map) {
-  const std::vector<float> densities = environmentDensities(map);
+std::vector<uvec4> packEnvironment(const EnvironmentMap& map, const std::vector<float>& densities) {
   std::vector<uvec4> texels(map.texels.size());
   for (std::size_t i = 0; i < texels.size(); ++i) {
     const vec4 texel(map.texels[i], densities[i]);
@@ -92,23 +91,9 @@ std::vector<uvec4> packEnvironment(const EnvironmentMap& map) {
   return texels;
 }
 
-/// Alias tables of the rows, then of the columns of each row: see lib/environment.glsl.
-std::vector<uvec2> packEnvironmentAlias(const EnvironmentMap& map) {
-  const std::vector<float> densities = environmentDensities(map);
-  const auto width = static_cast<std::size_t>(map.width);
-  std::vector<double> rows;
-  std::vector<LightAlias> entries(static_cast<std::size_t>(map.height));
-  for (int y = 0; y < map.height; ++y) {
-    const auto first = densities.begin() + static_cast<std::ptrdiff_t>(width) * y;
-    const std::vector<double> row(first, first + map.width);
-    const double sum = std::accumulate(row.begin(), row.end(), 0.0);
-    rows.push_back(sum * texelSolidAngle(map, y));
-    const auto columns = makeAliasTable(sum > 0 ? row : std::vector<double>(width, 1.0));
-    entries.insert(entries.end(), columns.begin(), columns.end());
-  }
-  std::ranges::copy(makeAliasTable(rows), entries.begin());
+std::vector<uvec2> packDraw(const std::vector<DrawnEntry>& entries) {
   std::vector<uvec2> texels;
-  for (const LightAlias& entry : entries) texels.emplace_back(std::bit_cast<uint>(entry.threshold), entry.other);
+  for (const DrawnEntry& entry : entries) texels.emplace_back(entry.first, std::bit_cast<uint>(entry.end));
   return texels;
 }
 
@@ -197,9 +182,9 @@ DeviceScene uploadScene(gpu::Context& context, const Scene& scene, const Bvh& bv
   uploadTables(d, context, scene, bvh);
   const EnvironmentMap black{1, 1, {vec3(0.0f)}};
   const EnvironmentMap& environment = scene.environment ? *scene.environment : black;
-  d.environment = buffer(context, "environment", packEnvironment(environment), TexelFormat::uint4);
-  d.environmentAliases =
-      buffer(context, "environment alias tables", packEnvironmentAlias(environment), TexelFormat::uint2);
+  const EnvironmentDraw draw = drawByLight(environment);
+  d.environment = buffer(context, "environment", packEnvironment(environment, draw.densities), TexelFormat::uint4);
+  d.environmentDraw = buffer(context, "environment draw", packDraw(draw.entries), TexelFormat::uint2);
   return d;
 }
 

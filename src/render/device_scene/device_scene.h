@@ -10,7 +10,7 @@ namespace importon {
 
 /// By the names that kernels have for its buffers.
 struct DeviceScene {
-  gpu::Buffer bvh, vertices, triangles, images, lightAlias, environment, environmentAliases;
+  gpu::Buffer bvh, vertices, triangles, images, lightAlias, environment, environmentDraw;
   gpu::Buffer starts, tables, lists;  // shaders/bindings/tables.glsl
   double area = 0;                    // m², of one side of all surfaces
 };
