@@ -36,7 +36,7 @@ void traceImage(const Stage& stage, const EyeMaps& maps, const EyeSamples& sampl
                                                      .isCentred = false,
                                                      .isPlanned = isPlanned},
                                                     plan);
-  for (uint depth = 0; depth <= maxDepth; ++depth) {
+  for (uint depth = 0; depth <= maxDepth && anyIsAlive(stage, queues.counter, depth); ++depth) {
     const buffers::Queue queue{*queues.now};
     traceClosest(stage, queues.counter, queue);
     setCounter(stage, kCounterLookups, 0);

@@ -76,6 +76,10 @@ void traceShadow(const Stage& stage, uint counter, const Owners&... owners) {
 /// counters[counter] = min(value + counters[a] + counters[b], limit)
 void setCounter(const Stage& stage, uint counter, uint value, uint a = kNone, uint b = kNone, uint limit = kNone);
 
+/// False if a queue of paths has run empty by their event `depth`, so that nothing more need be launched for them. Asks
+/// the device, and waits for it, at every second event.
+[[nodiscard]] bool anyIsAlive(const Stage& stage, uint queue, uint depth);
+
 /// Adds counters[counter] to the sum of two words at `sum`, and empties the counter if so asked.
 void addCounter(const Stage& stage, uint counter, uint sum, bool empties = false);
 /// The sum of two words at `sum` among the counters that were read back.

@@ -59,15 +59,15 @@ void reserveEntries(const Stage& stage, std::uint64_t entries) {
 }
 
 bool RecordRoom::makeRoom(uint queue, std::uint64_t events) {
-  if (isEnough_) return true;
+  const uint event = event_++;
+  if (isEnough_) return anyIsAlive(stage_, queue, event);
   Workspace& work = stage_.work;
-  if (!isFirst_) {
+  if (event > 0) {
     stage_.recorder.submitAndWait();
     const auto counters = work.counters.download<uint>(kCounterCount);
     records_ = counters[kCounterRecords];
     paths_ = counters[queue];
   }
-  isFirst_ = false;
   if (records_ + paths_ > work.recordRoom())
     resizeRecords(stage_, std::max(roomFor(records_ + paths_, work.size.records), records_ + paths_), records_);
   isEnough_ = records_ + paths_ * events <= work.recordRoom();

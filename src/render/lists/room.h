@@ -27,7 +27,8 @@ class RecordRoom {
  private:
   const Stage& stage_;
   std::uint64_t paths_, records_ = 0;
-  bool isFirst_ = true, isEnough_ = false;
+  uint event_ = 0;
+  bool isEnough_ = false;
 };
 
 }  // namespace importon
