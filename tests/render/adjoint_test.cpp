@@ -90,6 +90,9 @@ testing::AssertionResult photonsBringWhatPathsFind(bool hasDetour, GatherSource 
 
 TEST_F(Adjoint, PhotonsBringWhatPathsFindWhereAllNormalsLeanOneWay) {
   EXPECT_TRUE(photonsBringWhatPathsFind(false, GatherSource::cells, 1 << 12, 8));
+}
+
+TEST_F(Adjoint, PhotonsOfTheMapBringWhatPathsFind) {
   EXPECT_TRUE(photonsBringWhatPathsFind(false, GatherSource::photons, 1 << 12, 8));
 }
 
