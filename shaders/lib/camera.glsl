@@ -2,9 +2,9 @@
 #ifndef IMPORTON_LIB_CAMERA_GLSL
 #define IMPORTON_LIB_CAMERA_GLSL
 
-/// The ray through image position p (pixels, from the upper left corner), tMax infinite.
+/// The ray through position p of the whole image (pixels, from the upper left corner), tMax infinite.
 Ray cameraRay(Parameters params, vec2 p) {
-  const vec2 q = vec2(2.0 * p.x / float(params.width) - 1.0, 1.0 - 2.0 * p.y / float(params.height));
+  const vec2 q = vec2(2.0 * p.x / float(params.imageSize.x) - 1.0, 1.0 - 2.0 * p.y / float(params.imageSize.y));
   const vec3 across = q.x * params.cameraRight + q.y * params.cameraUp;
   Ray ray;
   ray.tMax = kInfinity;
@@ -21,8 +21,8 @@ Ray cameraRay(Parameters params, vec2 p) {
 
 /// How the ray of unit `direction` moves with its place in the image, by steps of a pixel.
 PathDifferential cameraDifferential(Parameters params, vec3 direction) {
-  const vec3 right = params.cameraRight * (2.0 / float(params.width)),
-             down = params.cameraUp * (-2.0 / float(params.height));
+  const vec3 right = params.cameraRight * (2.0 / float(params.imageSize.x)),
+             down = params.cameraUp * (-2.0 / float(params.imageSize.y));
   const Spread none = Spread(vec3(0.0), vec3(0.0), 0.0);
   PathDifferential d = PathDifferential(none, none, none, none, 1.0);
   if (params.cameraIsOrthographic != 0u) {

@@ -310,6 +310,7 @@ TEST(CommandLine, RefusesNumbersOutOfRange) {
                           "--exposure 1EV",
                           "--tone-map filmic",
                           "--environment-rotation x",
+                          "--crop 0 0 4 0",
                           "--environment-rotation inf",
                           "--background white",
                           "--background 1,2",

@@ -51,6 +51,41 @@ OptionRow background() {
   return std::move(row).forImage();
 }
 
+/// Four whole numbers with a space between each two, as the words of one value are joined.
+std::optional<Crop> cropOf(const std::string& text) {
+  Crop crop;
+  const char *at = text.data(), *end = at + text.size();
+  for (int* const number : {&crop.x, &crop.y, &crop.width, &crop.height}) {
+    if (number != &crop.x && at != end) ++at;
+    const auto read = std::from_chars(at, end, *number);
+    const bool isSize = number == &crop.width || number == &crop.height;
+    if (read.ec != std::errc() || *number < (isSize ? 1 : 0) || *number > kMostPixelsWide) return std::nullopt;
+    if (read.ptr != end && *read.ptr != ' ') return std::nullopt;
+    at = read.ptr;
+  }
+  return at == end ? std::optional(crop) : std::nullopt;
+}
+
+OptionRow crop() {
+  OptionRow row{"--crop",
+                "X Y W H",
+                "only W x H pixels of the image from column X and row Y on, from\nthe upper left; importance comes "
+                "from there alone (default: all)",
+                Group::image,
+                [](const std::string& given) {
+                  if (cropOf(given)) return std::string();
+                  return fmt::format("\"{}\" are not four whole numbers of up to {}, X and Y from 0, W and H from 1",
+                                     given, kMostPixelsWide);
+                },
+                [](RenderJob& job, const std::string& given) { job.crop = cropOf(given); },
+                [](const RenderJob& job) {
+                  if (!job.crop) return std::string("all");
+                  return fmt::format("{} {} {} {}", job.crop->x, job.crop->y, job.crop->width, job.crop->height);
+                }};
+  row.words = 4;
+  return std::move(row).forImage();
+}
+
 OptionRow name(const char* option, const char* help, std::string RenderJob::*member) {
   return {option,
           "NAME",
@@ -72,6 +107,7 @@ std::vector<OptionRow> imageOptions() {
       number(Group::image, "--height", "PIXELS", &RenderJob::height, pixels,
              "height of the image (default: by the camera's aspect ratio)")
           .everyday(),
+      crop(),
       name("--camera", "camera by its name, its node's or index, or all (default: the first)", &RenderJob::camera)
           .everyday(),
       name("--scene", "which scene of the file, by name or index (default: the file's\nchoice)", &RenderJob::sceneName),

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "fmt/format.h"
 
 namespace importon {
 
@@ -40,10 +41,23 @@ glm::ivec2 chooseSize(const Camera& camera, const RenderJob& job) {
   return {640, rounded(640 / aspect)};
 }
 
+FilmPlace placeFilm(const Camera& camera, const RenderJob& job) {
+  const glm::ivec2 whole = chooseSize(camera, job);
+  if (!job.crop) return allOf(whole);
+  const Crop& crop = *job.crop;
+  // Differences, as sums may be too large.
+  const bool isWithin = crop.x >= 0 && crop.y >= 0 && crop.width > 0 && crop.height > 0 &&
+                        crop.x <= whole.x - crop.width && crop.y <= whole.y - crop.height;
+  if (isWithin) return {whole, {crop.x, crop.y}, {crop.width, crop.height}};
+  throw UsageError(fmt::format("the crop of {} x {} pixels at {}, {} is not within the image of {} x {}", crop.width,
+                               crop.height, crop.x, crop.y, whole.x, whole.y),
+                   "--crop", "give X + W and Y + H of at most its width and height");
+}
+
 void setCamera(Parameters& p, const Camera& camera, const Scene& scene) {
   const glm::dmat3 axes(camera.worldFromCamera);
   const glm::dvec3 origin = glm::dvec3(camera.worldFromCamera[3]) - scene.worldFromRender;
-  const double aspect = static_cast<double>(p.width) / static_cast<double>(p.height);
+  const double aspect = static_cast<double>(p.imageSize.x) / static_cast<double>(p.imageSize.y);
   double halfHeight = std::tan(0.5 * camera.yfov), halfWidth = halfHeight * aspect;
   if (camera.isOrthographic) {
     // The image shows at least what the camera spans: one side fits, the other follows the image's shape.
