@@ -54,6 +54,9 @@ struct Parameters {
   vec3 background;           // W/(m² sr), seen where the camera sees no surface, if not the environment
   uvec2 imageSize;           // pixels of the whole image, of which the film may be a part
   uvec2 filmCorner;          // the film's upper left pixel there
+  vec3 lensRight;            // radius of a thin lens along cameraRight, m; 0: the camera is a pinhole
+  float inverseFocus;        // 1/m, of the distance along cameraForward that is in focus
+  vec3 lensUp;               // as lensRight
   MapSettings causticMap;
   MapSettings globalMap;
 };

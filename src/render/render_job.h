@@ -47,6 +47,8 @@ struct RenderJob {
   Look look;                         // of the PNG
   std::optional<int> width, height;  // pixels
   std::optional<Crop> crop;          // unset: all of the image
+  std::optional<double> fStop;       // focal length over the lens's diameter; unset: the camera's
+  std::optional<double> focus;       // m, distance in focus; unset: the camera's
   PixelFilter filter = PixelFilter::box;
   std::string camera;        // name or index; empty: the first
   std::string sceneName;     // which scene of the file, by name or index; empty: the file's choice

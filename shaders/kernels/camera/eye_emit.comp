@@ -17,7 +17,7 @@ layout(push_constant, scalar) uniform Push {
   uint pixels;    // of the tile, or importons
   uint firstSample;  // of each pixel's paths in this pass, or of the plan's paths
   uint total;     // importons in all
-  uint isCentred; // 1: through the middle of the pixel
+  uint isCentred; // 1: through the middles of the pixel and of the lens
   uint isPlanned; // 1: pixels have as many paths as the sample plan says
 } push;
 
@@ -41,6 +41,8 @@ void main() {
   const vec2 position = isImporton ? vec2(params.filmCorner) + u * size
                                    : vec2(place) + (push.isCentred != 0u ? vec2(0.5) : pixelPoint(kPixelFilter, u));
   Ray ray = cameraRay(params, position);
+  if (hasLens(params) && push.isCentred == 0u)
+    throughLens(params, sequencePoint(eyeStream(id, sampleOfPixel), index, kPairLens), ray);
   ray.id = hash(eyeStream(id, sampleOfPixel) ^ hash(index));
 
   PathState path;

@@ -46,7 +46,9 @@ struct PassContext::Loaded {
 PassContext::Loaded PassContext::load(const RenderJob& j, const Scene& s, Log& l, PhaseSeconds& seconds,
                                       const RenderSources& sources) {
   Loaded loaded;
-  loaded.film = placeFilm(chooseCamera(s, j), j);
+  const Camera& camera = chooseCamera(s, j);
+  loaded.film = placeFilm(camera, j);
+  (void)chooseLens(camera, j);  // what it throws need not wait for the device
   loaded.features = findFeatures(s, j);
   // The device and its kernels come up while the tree is built.
   auto loading = std::async(std::launch::async, [&] {

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "scene/scene.h"
+
 namespace importon {
 namespace {
 
@@ -12,6 +14,13 @@ using namespace option_rows;
 using Group = OptionGroup;
 
 constexpr std::int64_t kMostPixelsWide = 65536;
+
+ValueCheck fStops() {
+  return [](const std::string& given) {
+    if (positive("")(given).empty() && numberOf<double>(given) >= Camera::kLeastFStop) return std::string();
+    return fmt::format("\"{}\" is not a number from {} on", given, Camera::kLeastFStop);
+  };
+}
 
 /// Three numbers of 0 or more, "R,G,B".
 std::optional<std::array<float, 3>> colorOf(const std::string& text) {
@@ -110,6 +119,13 @@ std::vector<OptionRow> imageOptions() {
       crop(),
       name("--camera", "camera by its name, its node's or index, or all (default: the first)", &RenderJob::camera)
           .everyday(),
+      number(Group::image, "--f-stop", "N", &RenderJob::fStop, fStops(),
+             "a thin lens: focal length, of a film 24 mm high, over the lens's\ndiameter (default: the camera's "
+             "extras.fStop, else a pinhole)")
+          .forImage(),
+      number(Group::image, "--focus", "M", &RenderJob::focus, positive("m"),
+             "distance in focus, along the view, m (default: the camera's\nextras.focusDistance)")
+          .forImage(),
       name("--scene", "which scene of the file, by name or index (default: the file's\nchoice)", &RenderJob::sceneName),
       name("--variant", "which variant of the materials, by name or index (default: none)", &RenderJob::variant),
       number(Group::image, "--at", "SECONDS", &RenderJob::at, notNegative("seconds"),

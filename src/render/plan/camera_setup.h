@@ -22,7 +22,19 @@ struct FilmPlace {
 /// The job's crop, else all of the image. Throws UsageError if the crop is not within the image.
 [[nodiscard]] FilmPlace placeFilm(const Camera& camera, const RenderJob& job);
 
+/// A thin lens in the camera's place. Without a radius the camera is a pinhole.
+struct Lens {
+  double radius = 0;         // m
+  double focusDistance = 1;  // m, along the view
+
+  [[nodiscard]] bool isPinhole() const { return radius == 0; }
+};
+
+/// The job's lens, else the camera's own; of what one of them leaves open the other one decides. Throws UsageError
+/// where the job asks for what no lens is: for an orthographic camera, or in focus nearer than the focal length.
+[[nodiscard]] Lens chooseLens(const Camera& camera, const RenderJob& job);
+
 /// Enters the camera into the parameters; imageSize must stand there.
-void setCamera(Parameters& parameters, const Camera& camera, const Scene& scene);
+void setCamera(Parameters& parameters, const Camera& camera, const Lens& lens, const Scene& scene);
 
 }  // namespace importon
