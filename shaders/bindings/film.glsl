@@ -6,6 +6,12 @@
 layout(scalar) buffer PathLightBlock { PathLight pathLight[]; };
 uniform usamplerBuffer samplePlanPairs;
 
+/// Column and row in the whole image of the film's pixel `index`.
+uvec2 imagePixel(uint index) { return params.filmCorner + uvec2(index % params.width, index / params.width); }
+
+/// The number of a pixel of the whole image.
+uint imageIndex(uvec2 pixel) { return pixel.y * params.imageSize.x + pixel.x; }
+
 /// Of a pixel of the tile: the first of its paths among the plan's, and that path's number among all of the pixel's
 /// beyond those of the mean. The plan ends with the number of its paths.
 uvec2 plannedPaths(uint pixel) { return texelFetch(samplePlanPairs, int(pixel)).xy; }

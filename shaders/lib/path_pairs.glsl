@@ -4,7 +4,8 @@
 #include "lib/sequence.glsl"
 
 const uint kPairFirst = 0u;      // pixel
-const uint kPairPosition = 1u;   // choice of light and point on it
+const uint kPairLens = 1u;       // of a camera path: place on the lens
+const uint kPairPosition = 1u;   // of a photon: choice of light and point on it
 const uint kPairDirection = 2u;  // direction from the light
 const uint kPairEvents = 3u;
 const uint kPairsPerEvent = 3u;

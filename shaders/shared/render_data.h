@@ -26,8 +26,8 @@ struct Parameters {
   vec3 cameraOrigin;
   uint cameraIsOrthographic;
   vec3 cameraForward;  // unit length
-  uint width;          // pixels
-  vec3 cameraRight;    // half the image's extent: at distance 1 (perspective) or in m (orthographic)
+  uint width;          // pixels of the film
+  vec3 cameraRight;    // half the whole image's extent: at distance 1 (perspective) or in m (orthographic)
   uint height;
   vec3 cameraUp;
   uint seed;
@@ -52,6 +52,11 @@ struct Parameters {
   float photonUnits;         // per such unit: flux of an average photon is 4 of them
   float irradianceScale;     // W per photonUnit, for one pass
   vec3 background;           // W/(m² sr), seen where the camera sees no surface, if not the environment
+  uvec2 imageSize;           // pixels of the whole image, of which the film may be a part
+  uvec2 filmCorner;          // the film's upper left pixel there
+  vec3 lensRight;            // radius of a thin lens along cameraRight, m; 0: the camera is a pinhole
+  float inverseFocus;        // 1/m, of the distance along cameraForward that is in focus
+  vec3 lensUp;               // as lensRight
   MapSettings causticMap;
   MapSettings globalMap;
 };
@@ -121,6 +126,10 @@ SHARED_CONST uint kPathLookupDeep = 0x4000u;   // its map lookup counts as indir
 
 /// Along each side of the scene: lib/light_voxel.glsl.
 SHARED_CONST uint kLightVoxels = 64u;
+
+/// Camera paths of a tile that are traced at once, and how many of each pixel are, at least, where a pass has so many.
+SHARED_CONST uint kPathsAtOnce = 1u << 18;
+SHARED_CONST uint kFewestAtOnce = 4u;
 
 /// As many times the paths of a pass that a pixel gets in the mean, one may get at most:
 /// src/render/film/adaptive_sampler.h

@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "fmt/format.h"
 #include "io/image.h"
+#include "io/image_part.h"
 #include "io/layers.h"
 #include "report/compare.h"
 #include "report/false_color.h"
@@ -67,7 +68,8 @@ ExitStatus runCompare(const CompareCommand& command) {
     if (!file.empty()) checkWritable(file);
   }
   const std::string imageName = command.image.string(), referenceName = command.reference.string();
-  const Image whole = readExr(command.image), wholeReference = readExr(command.reference);
+  Image whole = readExr(command.image), wholeReference = readExr(command.reference);
+  cutToShared(whole, wholeReference, imageName + ", " + referenceName);
   const Image image = takeColor(whole, command.layer, imageName);
   const Image reference = takeColor(wholeReference, command.referenceLayer, referenceName);
   ErrorMaps maps;

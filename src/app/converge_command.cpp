@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/load_scene.h"
 #include "app/output_folder.h"
+#include "app/reference_errors.h"
 #include "fmt/format.h"
 #include "io/image.h"
 #include "io/layers.h"
@@ -36,9 +37,10 @@ constexpr std::array kFiles{"results.json", "results.csv", "index.html"};
 ExitStatus runConverge(const ConvergeCommand& command, const std::atomic<bool>& isInterrupted) {
   makeFolder(command.folder, kFiles);
   Log log(command.verbosity);
-  const Image reference = takeColor(readExr(command.reference), "", command.reference.string());
+  Image reference = takeColor(readExr(command.reference), "", command.reference.string());
   const Clock::time_point loadStart = Clock::now();
   const Scene scene = loadScene(command.configs.front().job, log);
+  reference = ofFilm(std::move(reference), command.reference.string(), command.configs.front().job, scene);
   ConvergePlan plan{{}, command.times, command.seeds, 0};
   plan.loadSeconds = std::chrono::duration<double>(Clock::now() - loadStart).count();
   for (const NamedJob& config : command.configs) plan.configs.push_back({config.name, config.options, config.job});

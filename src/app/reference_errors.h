@@ -8,10 +8,13 @@
 
 namespace importon {
 
+/// What the job's film shows of a reference, which may be of the whole image or of the job's crop. Throws SceneError if
+/// it has not the size that the job renders, or with a crop UsageError.
+[[nodiscard]] Image ofFilm(Image reference, const std::string& name, const RenderJob& job, const Scene& scene);
+
 class ReferenceErrors {
  public:
-  /// Reads the job's reference, if it has one. SceneError if it is unreadable, without colour, or not of the size
-  /// that the job renders.
+  /// Reads the job's reference, if it has one. SceneError if it is unreadable or without colour; of the size: ofFilm.
   ReferenceErrors(const RenderJob& job, const Scene& scene);
   /// Compares the image so far.
   void measure(const RenderProgress& progress);

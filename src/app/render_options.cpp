@@ -7,6 +7,7 @@
 #include "app/batch/batch_options.h"
 #include "base/error.h"
 #include "fmt/format.h"
+#include "fmt/ranges.h"
 #include "render/options/gather_source.h"
 #include "render/options/option_table.h"
 
@@ -15,14 +16,31 @@ namespace {
 
 std::string headingAsText(OptionGroup group) { return std::string(headingOf(group)); }
 
+/// A value of several words, which are checked as one text.
+CLI::Option* addWords(CLI::App& app, const OptionRow& row, RenderJob& job) {
+  const auto take = [&row, &job](const std::vector<std::string>& words) {
+    const std::string text = fmt::format("{}", fmt::join(words, " ")), fault = row.check(text);
+    if (!fault.empty()) throw CLI::ValidationError(row.name(), fault);
+    row.set(job, text);
+  };
+  return app.add_option_function<std::vector<std::string>>(row.names, take, row.help)
+      ->type_size(row.words)
+      ->expected(1);
+}
+
+CLI::Option* addWord(CLI::App& app, const OptionRow& row, RenderJob& job) {
+  CLI::Option* option = app.add_option_function<std::string>(
+      row.names, [&row, &job](const std::string& text) { row.set(job, text); }, row.help);
+  return row.check ? option->check(row.check) : option;
+}
+
 void addRow(CLI::App& app, const OptionRow& row, RenderJob& job, const std::string& group) {
-  CLI::Option* option = row.type.empty()
-                            ? app.add_flag_callback(
-                                  row.names, [&row, &job] { row.set(job, {}); }, row.help)
-                            : app.add_option_function<std::string>(
-                                     row.names, [&row, &job](const std::string& text) { row.set(job, text); }, row.help)
-                                  ->type_name(row.type);
-  if (row.check) option->check(row.check);
+  CLI::Option* option = nullptr;
+  if (row.type.empty())
+    option = app.add_flag_callback(
+        row.names, [&row, &job] { row.set(job, {}); }, row.help);
+  else
+    option = (row.words > 1 ? addWords : addWord)(app, row, job)->type_name(row.type);
   if (row.isRequired) option->required();
   option->group(group);
 }

@@ -34,6 +34,8 @@ std::string cameraText(const Camera& camera) {
   } else {
     text += fmt::format(", perspective, {:.1f} degrees high", glm::degrees(camera.yfov));
   }
+  if (camera.fStop > 0 && camera.focusDistance > 0)
+    text += fmt::format(", f/{:.4g} in focus at {:.4g} m", camera.fStop, camera.focusDistance);
   if (camera.width > 0 && camera.height > 0) text += fmt::format(", {} x {} pixels", camera.width, camera.height);
   return text;
 }
@@ -55,6 +57,8 @@ Json cameraJson(const Camera& camera) {
   } else {
     json["yfov"] = camera.yfov;
   }
+  if (camera.fStop > 0) json["f_stop"] = camera.fStop;
+  if (camera.focusDistance > 0) json["focus_distance"] = camera.focusDistance;
   if (camera.width > 0) json["width"] = camera.width;
   if (camera.height > 0) json["height"] = camera.height;
   return json;

@@ -100,6 +100,19 @@ void checkSize(const Imf::Header& header, const std::string& where, std::size_t 
   checkBlocks(header, where, width, height, own);
 }
 
+/// Nothing where the data window is the display window.
+WholeImage wholeOf(const Imf::Header& header) {
+  const Imath::Box2i &data = header.dataWindow(), &display = header.displayWindow();
+  if (data == display) return {};
+  // Differences of what a damaged header may claim wrap around.
+  const auto difference = [](int a, int b) {
+    return static_cast<int>(static_cast<unsigned>(a) - static_cast<unsigned>(b));
+  };
+  const int width = difference(display.max.x, display.min.x), height = difference(display.max.y, display.min.y);
+  if (width < 0 || height < 0 || width >= kMostValues || height >= kMostValues) return {};
+  return {width + 1, height + 1, difference(data.min.x, display.min.x), difference(data.min.y, display.min.y)};
+}
+
 void readAttributes(const Imf::Header& header, Image& image) {
   for (auto i = header.begin(); i != header.end(); ++i) {
     const auto* text = dynamic_cast<const Imf::StringAttribute*>(&i.attribute());
@@ -168,6 +181,7 @@ Image readImage(const std::filesystem::path& file, const std::string& where) {
     if (part == 0) {
       image.width = width;
       image.height = height;
+      image.whole = wholeOf(header);
       readAttributes(header, image);
     } else if (width != image.width || height != image.height || isSubsampled(header)) {
       continue;  // another view or a proxy: no layer of this image

@@ -46,8 +46,16 @@ class ExrStream : public Imf::OStream {
   std::exception_ptr failure_;
 };
 
+/// From the display window's upper left corner.
+Imath::Box2i dataWindow(const Image& image) {
+  const Imath::V2i corner(image.whole.x, image.whole.y);
+  return {corner, corner + Imath::V2i(image.width - 1, image.height - 1)};
+}
+
 Imf::Header makeHeader(const Image& image) {
-  Imf::Header header(image.width, image.height);
+  const bool isPart = image.whole.width > 0;
+  Imf::Header header(isPart ? image.whole.width : image.width, isPart ? image.whole.height : image.height);
+  header.dataWindow() = dataWindow(image);
   header.compression() = Imf::ZIP_COMPRESSION;
   Imf::addChromaticities(header, Imf::Chromaticities());  // the default: Rec. ITU-R BT.709, white D65
   for (const auto& [name, value] : image.attributes) header.insert(name, Imf::StringAttribute(value));
@@ -58,11 +66,11 @@ Imf::Header makeHeader(const Image& image) {
 Imf::FrameBuffer makeFrameBuffer(const Image& image) {
   Imf::FrameBuffer frameBuffer;
   const std::size_t rowBytes = sizeof(float) * static_cast<std::size_t>(image.width);
+  const Imath::Box2i window = dataWindow(image);
   for (const Channel& channel : image.channels) {
     assert(channel.values.size() == static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
-    // OpenEXR takes one kind of slice for reading and writing; writing does not touch the values.
-    char* values = const_cast<char*>(reinterpret_cast<const char*>(channel.values.data()));
-    frameBuffer.insert(channel.name, Imf::Slice(Imf::FLOAT, values, sizeof(float), rowBytes));
+    const float* values = channel.values.data();
+    frameBuffer.insert(channel.name, Imf::Slice::Make(Imf::FLOAT, values, window, sizeof(float), rowBytes));
   }
   return frameBuffer;
 }

@@ -14,11 +14,18 @@ struct Channel {
   std::vector<float> values;  // width * height
 };
 
+/// The whole image that an image is a part of, and where in it its upper left pixel is. Without a width: it is no part.
+struct WholeImage {
+  int width = 0, height = 0;  // pixels
+  int x = 0, y = 0;
+};
+
 /// Planes of one size, and string attributes.
 struct Image {
   int width = 0, height = 0;
   std::vector<Channel> channels;
   std::map<std::string, std::string> attributes;
+  WholeImage whole = {};  // OpenEXR's display window; the image is its data window
   [[nodiscard]] const Channel* find(const std::string& name) const;
 };
 
@@ -27,8 +34,9 @@ struct Image {
 void writeExr(const std::filesystem::path& file, const Image& image);
 
 /// Reads any scanline or tiled OpenEXR (half, float, uint; any compression; layers), of the size of its data
-/// window. Further parts of that size are layers: "PART.CHANNEL". Luminance with subsampled chroma becomes RGB.
-/// Throws SceneError on a missing, malformed or deep file.
+/// window; where the display window is another, Image::whole says so. Further parts of that size are layers:
+/// "PART.CHANNEL". Luminance with subsampled chroma becomes RGB. Throws SceneError on a missing, malformed or deep
+/// file.
 [[nodiscard]] Image readExr(const std::filesystem::path& file);
 
 /// Reads a Radiance picture (.hdr, .pic) of RGBE pixels, W/(m² sr) with its exposures undone: flat, or with run lengths

@@ -56,7 +56,7 @@ Image takeColor(const Image& image, const std::string& layer, const std::string&
     refuse(image, layer.empty() ? std::string("the image has no channels R, G, B") : fmt::format("no layer {}", layer),
            where);
   }
-  Image color{image.width, image.height, {}, image.attributes};
+  Image color{image.width, image.height, {}, image.attributes, image.whole};
   constexpr std::array<const char*, 3> kNames{"R", "G", "B"};
   for (std::size_t c = 0; c < 3; ++c) color.channels.push_back({kNames[c], channels[c]->values});
   return color;

@@ -33,6 +33,11 @@ enum class ScatterChoice { material, guided };  // by what photons scatter: the 
 enum class GuideWeight { importance, deficit, potential };  // what guided emission follows
 enum class PhotonsShot { all, enough };  // of a pass: all that it may have, or what important places require
 
+/// A part of the image, pixels from the upper left corner.
+struct Crop {
+  int x = 0, y = 0, width = 1, height = 1;
+};
+
 /// Unset optionals are chosen automatically. Names follow the options of `importon render`, each of which has a row in
 /// render/options/option_table.cpp.
 struct RenderJob {
@@ -41,6 +46,9 @@ struct RenderJob {
   std::filesystem::path png;         // empty: none
   Look look;                         // of the PNG
   std::optional<int> width, height;  // pixels
+  std::optional<Crop> crop;          // unset: all of the image
+  std::optional<double> fStop;       // focal length over the lens's diameter; unset: the camera's
+  std::optional<double> focus;       // m, distance in focus; unset: the camera's
   PixelFilter filter = PixelFilter::box;
   std::string camera;        // name or index; empty: the first
   std::string sceneName;     // which scene of the file, by name or index; empty: the file's choice

@@ -132,7 +132,11 @@ FilmLayers Renderer::resolve(const FilmSums& film) const {
 }
 
 Image Renderer::image(const FilmLayers& layers) const {
-  Image image{static_cast<int>(context_.parameters.width), static_cast<int>(context_.parameters.height), {}, {}};
+  const Parameters& p = context_.parameters;
+  Image image{static_cast<int>(p.width), static_cast<int>(p.height), {}, {}};
+  if (context_.job.crop)
+    image.whole = {static_cast<int>(p.imageSize.x), static_cast<int>(p.imageSize.y), static_cast<int>(p.filmCorner.x),
+                   static_cast<int>(p.filmCorner.y)};
   addColor(image, "", layers.total);
   if (context_.job.isTransparent) image.channels.push_back({"A", layers.coverage});
   return image;

@@ -126,7 +126,7 @@ Image differenceImage(const Image& image, const std::string& imageName, const Im
                       const std::string& referenceName, const ErrorMaps& maps) {
   checkSizes(image, imageName, reference, referenceName);
   const Rgb shown = rgbOf(image, imageName), truth = rgbOf(reference, referenceName);
-  Image difference{image.width, image.height, {}, {}};
+  Image difference{image.width, image.height, {}, {}, image.whole};
   constexpr std::array<const char*, 3> kNames{"R", "G", "B"};
   for (std::size_t c = 0; c < 3; ++c) {
     std::vector<float> values(truth[c].size());

@@ -58,7 +58,7 @@ Kind kindOf(const std::string& channel) {
 }  // namespace
 
 void ImageMerger::start(const Image& image, const std::string& name) {
-  first_ = Image{image.width, image.height, {}, image.attributes};
+  first_ = Image{image.width, image.height, {}, image.attributes, image.whole};
   firstName_ = name;
   for (const Channel& channel : image.channels) {
     first_.channels.push_back({channel.name, {}});

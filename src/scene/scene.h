@@ -1,6 +1,7 @@
 /// A validated scene as plain data, in the layout of the device (shaders/shared/scene_data.h).
 #pragma once
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -22,6 +23,13 @@ struct Camera {
   double xmag = 1, ymag = 1;        // half extents in m, orthographic
   glm::dmat4 worldFromCamera{1.0};  // rigid up to handedness; scale removed
   int width = 0, height = 0;        // extras.width/height, 0: not given
+  double fStop = 0;                 // extras.fStop: focal length over the lens's diameter; 0: not given
+  double focusDistance = 0;         // extras.focusDistance: m, along the view; 0: not given
+
+  /// m, of a perspective camera whose image is as high as that of a 35 mm film.
+  [[nodiscard]] double focalLength() const { return 0.5 * kFilmHeight / std::tan(0.5 * yfov); }
+  static constexpr double kFilmHeight = 0.024;  // m
+  static constexpr double kLeastFStop = 0.01;   // the lens is no larger than numbers hold
 };
 
 /// Light from far away, W/(m² sr), over a lat-long map: rows from the top, which is up (+y); the middle looks along

@@ -77,6 +77,34 @@ TEST(Cli, CompareGivesBlotchesInPercentAndLimitsThem) {
   EXPECT_EQ(runImporton({"compare", a, r, "--max-band", "1"}).status, 5);
 }
 
+/// 4 x 2 pixels from column x and row y of an image of 8 x 6, of which each has its own value.
+std::string writePart(const TemporaryFolder& folder, const std::string& name, int x, int y, int width = 4,
+                      int height = 2) {
+  std::vector<float> values;
+  for (int row = y; row < y + height; ++row)
+    for (int column = x; column < x + width; ++column) values.push_back(static_cast<float>(1 + 8 * row + column));
+  writeExr(folder / name, {width, height, {{"R", values}, {"G", values}, {"B", values}}, {}, {8, 6, x, y}});
+  return folder / name;
+}
+
+TEST(Cli, CompareOfPartsIsOfWhatBothShow) {
+  const TemporaryFolder folder;
+  const std::string whole = writePart(folder, "whole.exr", 0, 0, 8, 6), part = writePart(folder, "part.exr", 3, 4),
+                    beside = writePart(folder, "beside.exr", 2, 3), far = writePart(folder, "far.exr", 3, 0);
+  for (const auto& [a, b] : {std::pair(part, whole), {whole, part}, {beside, part}}) {
+    const Outcome outcome = runImporton({"compare", a, b, "--max-relmse", "0", "--diff", folder / "d.exr"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  }
+  const Image shared = readExr(folder / "d.exr");
+  EXPECT_EQ(shared.width, 3);
+  EXPECT_EQ(shared.height, 1);
+  EXPECT_EQ(shared.whole.x, 3);
+  EXPECT_EQ(shared.whole.y, 4);
+  const Outcome none = runImporton({"compare", far, part});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.err.find("share no pixel"), std::string::npos) << none.err;
+}
+
 TEST(Cli, CompareExceedsEveryLimitWithPixelsThatAreNotFinite) {
   const TemporaryFolder folder;
   const std::string a = writeGrey(folder, "a.exr", std::numeric_limits<float>::quiet_NaN());

@@ -51,6 +51,21 @@ TEST(CliRender, ResumesToTheSameBits) {
   EXPECT_EQ(readFile(folder / "again.exr"), readFile(folder / "whole.exr"));
 }
 
+TEST(CliRender, ResumesACropAndNoOther) {
+  const TemporaryFolder folder;
+  const std::string state = folder / "state";
+  const auto cropped = [&](const std::string& output, const std::string& x, std::initializer_list<std::string> more) {
+    auto words = tiny(kCornellBox, output, more);
+    words.insert(words.end(), {"--crop", x, "3", "12", "9"});
+    return runImporton(words);
+  };
+  expectStatus(cropped(folder / "whole.exr", "4", {"--passes", "2"}), 0);
+  expectStatus(cropped(folder / "part.exr", "4", {"--passes", "1", "--checkpoint", state}), 0);
+  expectStatus(cropped(folder / "o.exr", "4", {"--passes", "2", "--resume", state}), 0);
+  EXPECT_EQ(readFile(folder / "o.exr"), readFile(folder / "whole.exr"));
+  EXPECT_NE(cropped(folder / "other.exr", "5", {"--passes", "2", "--resume", state}).status, 0);
+}
+
 // Where a run stops by its error depends on what it knew of it before.
 TEST(CliRender, ResumesToTheSamePassByError) {
   const TemporaryFolder folder;

@@ -198,6 +198,45 @@ TEST(CliRender, RefusesAReferenceOfAnotherSize) {
   EXPECT_EQ(folder.entries(), 1);
 }
 
+TEST(CliRender, WritesACropInItsPlace) {
+  const TemporaryFolder folder;
+  const std::initializer_list<std::string> whole{"--passes", "1", "--integrator", "path"};
+  ASSERT_EQ(runImporton(smallRender(folder / "whole.exr", whole)).status, 0);
+  const auto cropped = [&](const std::string& output, std::initializer_list<std::string> more) {
+    std::vector<std::string> words = smallRender(output, whole);
+    words.insert(words.end(), {"--crop", "20", "2", "10", "8"});
+    words.insert(words.end(), more);
+    return runImporton(words);
+  };
+  const Outcome outcome = cropped(folder / "part.exr", {"--png", folder / "part.png", "--reference",
+                                                        folder / "whole.exr", "--stats", folder / "part.json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Image part = readExr(folder / "part.exr");
+  EXPECT_EQ(part.width, 10);
+  EXPECT_EQ(part.height, 8);
+  EXPECT_EQ(part.whole.width, 32);
+  EXPECT_EQ(part.whole.height, 24);
+  EXPECT_EQ(part.whole.x, 20);
+  EXPECT_EQ(part.whole.y, 2);
+  EXPECT_EQ(readFile(folder / "part.png").substr(16, 8), std::string("\0\0\0\12\0\0\0\10", 8)) << "10 x 8 pixels";
+  EXPECT_EQ(runImporton({"compare", folder / "part.exr", folder / "whole.exr", "--max-relmse", "0"}).status, 0);
+  EXPECT_EQ(nlohmann::json::parse(readFile(folder / "part.json"))["error"]["relmse"], 0) << "against the whole image";
+  EXPECT_EQ(cropped(folder / "o.exr", {"--reference", folder / "part.exr"}).status, 0) << "against the crop";
+  // Of another size, of another place, and a crop that is not within the image.
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"--crop", "20", "2", "10", "9", "--reference", folder / "part.exr"},
+        {"--crop", "19", "2", "10", "8", "--reference", folder / "part.exr"},
+        {"--crop", "23", "2", "10", "8"},
+        {"--crop", "20", "17", "10", "8"}}) {
+    std::vector<std::string> words = smallRender(folder / "bad.exr", whole);
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome refused = runImporton(words);
+    EXPECT_EQ(refused.status, 1) << refused.err;
+    EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "bad.exr"));
+  }
+}
+
 TEST(CliRender, ConvergesAndWritesThePage) {
   const TemporaryFolder folder;
   // With the kernels that are asked for below, so that a driver has them.

@@ -43,6 +43,27 @@ TEST(Cli, ABadValueIsAUsageError) {
   expectError(runImporton({kCornellBox, "-o", "o.exr", "--control", "maybe"}), 1, "off");
 }
 
+TEST(Cli, ACropThatIsNoneIsAUsageError) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"0", "0", "0", "4"},
+                                                {"0", "0", "4", "0"},
+                                                {"-1", "0", "4", "4"},
+                                                {"0", "0", "4", "-4"},
+                                                {"0", "0", "4", "x"},
+                                                {"0", "0", "4", "1e9"},
+                                                {"0", "0", "4", "70000"},
+                                                {"0", "0", "4", "4.5"},
+                                                {"0", "0", "4"},
+                                                {"0", "0", "4", ""},
+                                                {"0 0", "4 4", "", ""},
+                                                {}}) {
+    std::vector<std::string> arguments{kCornellBox, "-o", "o.exr", "--crop"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    expectError(runImporton(arguments), 1, "--crop");
+  }
+  expectError(runImporton({kCornellBox, "-o", "o.exr", "--crop", "0", "0", "4", "4", "--crop", "0", "0", "4", "4"}), 1,
+              "--crop");
+}
+
 TEST(Cli, HelpAndVersionGoToStdout) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"--help"}, {"render", "--help"}, {"compare", "-h"}, {"--version"}}) {

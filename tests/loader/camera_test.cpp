@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "loader/load.h"
 #include "scene/lights.h"
 #include "scene/nodes/gltf_camera.h"
@@ -48,6 +50,37 @@ TEST(Camera, SizesThatAreNoneAreNotGiven) {
     Json camera = kPerspective;
     camera["extras"] = extras;
     EXPECT_EQ(load(seen(camera)).cameras[0].width, 0) << extras;
+  }
+}
+
+TEST(Camera, ReadsALens) {
+  Json camera = kPerspective;
+  camera["extras"] = {{"fStop", 1.4}, {"focusDistance", 2}};
+  const Camera read = load(seen(camera)).cameras.at(0);
+  EXPECT_EQ(read.fStop, 1.4);
+  EXPECT_EQ(read.focusDistance, 2);
+  EXPECT_NEAR(read.focalLength(), 0.012 / std::tan(0.35), 1e-12);
+  camera["extras"] = {{"focusDistance", 2}};
+  EXPECT_EQ(load(seen(camera)).cameras.at(0).focusDistance, 2);
+  EXPECT_TRUE(warningsOf(seen(camera)).empty());
+}
+
+TEST(Camera, LensesThatAreNoneAreLeftOutWithAWarning) {
+  const Json orthographic = {{"type", "orthographic"},
+                             {"orthographic", {{"xmag", 2}, {"ymag", 3}, {"znear", 0}, {"zfar", 9}}}};
+  for (const Json& extras :
+       {Json{{"fStop", 0}, {"focusDistance", 2}}, Json{{"fStop", -1}, {"focusDistance", 2}},
+        Json{{"fStop", 1e-9}, {"focusDistance", 2}}, Json{{"fStop", "2.8"}, {"focusDistance", 2}},
+        Json{{"fStop", 2}, {"focusDistance", -2}}, Json{{"fStop", 2}, {"focusDistance", 0.001}}, Json{{"fStop", 2}}}) {
+    for (Json camera : {kPerspective, orthographic}) {
+      camera["extras"] = extras;
+      const Camera read = load(seen(camera)).cameras.at(0);
+      EXPECT_TRUE(read.fStop == 0 || read.focusDistance == 0) << extras;
+      const std::vector<Warning> warnings = warningsOf(seen(camera));
+      ASSERT_EQ(warnings.size(), 1u) << extras;
+      EXPECT_EQ(warnings[0].kind, "lens that is none");
+      EXPECT_NE(errorOf(seen(camera), kStrict), "") << extras;
+    }
   }
 }
 

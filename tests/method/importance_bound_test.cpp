@@ -90,6 +90,28 @@ TEST_F(ImportanceBound, OfTheScreenIsImportance) {
   EXPECT_LT(std::sqrt(r.variance()), 0.25);
 }
 
+/// On a wall across the axis at the distance h a pixel covers s x s, and the steps to the neighbours on the lens, of
+/// which n cover it, b x b with b = R sqrt(π/n) |1 - h/M|; covariances add up.
+TEST_F(ImportanceBound, OfALensCoversItsDiscToo) {
+  constexpr double kHeight = 3, kFocus = 1, kSamples = 4;
+  SceneBuilder builder;
+  builder.square(builder.material(test::diffuse(vec3(0.7f))), {0, 0, 1 - kHeight}, {0, 0, 1}, 20);
+  builder.square(builder.material(test::mirror()), {0, 0, 3}, {0, 0, 1}, 0.1);  // out of sight: a caustic map
+  builder.pointLight({0, 0, 1}, vec3(1));
+  builder.camera({0, 0, 1}, {0, 0, -2}, kFov, kSide, kSide);
+  RenderJob job = boundJob(DifferentialBound::pixel, 1u << 13);
+  job.gather = static_cast<int>(kSamples);
+  job.fStop = 0.5;
+  job.focus = kFocus;
+  const double slope = std::tan(0.5 * kFov), pixel = 2 * slope * kHeight / kSide;
+  const double step = 0.012 / slope * std::sqrt(M_PI / kSamples) * std::abs(1 - kHeight / kFocus);
+  const test::Moments r = ratios(builder, job, MapKind::caustic,
+                                 [&](const dvec3& p) { return p.z < 0 ? 1 / (pixel * pixel + step * step) : 0.0; });
+  ASSERT_GT(r.count(), 1'000);
+  EXPECT_NEAR(r.mean(), 1, 0.01);
+  EXPECT_LT(std::sqrt(r.variance()), 0.01) << "footprints have no noise";
+}
+
 /// The camera sees a small patch alone; the wall opposite is met by gather rays of it. Each of the n that a pixel has
 /// in a pass covers 1/(n p) sr, so a place at the distance d is asked for n · albedo · cosθ cosθ' / (π d²) pixels/m².
 TEST_F(ImportanceBound, OfAGatherRayIsTheSolidAngleThatItCovers) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "method/map_rig.h"
 #include "method/render_scene.h"
@@ -50,15 +51,20 @@ void addCamera(SceneBuilder& builder, const View& view) {
 
 /// Ratio of the caustic importance at the pixels to `expected(position)`, over seeds; edge pixels left out.
 template <class Expected>
-test::Moments ratios(const Scene& scene, const View& view, std::uint32_t importons, int seeds, Expected expected) {
+test::Moments ratios(const Scene& scene, const View& view, std::uint32_t importons, int seeds, Expected expected,
+                     const std::optional<Crop>& crop = {}) {
   test::Moments moments;
+  const int width = crop ? crop->width : view.width, height = crop ? crop->height : view.height;
   for (int seed = 0; seed < seeds; ++seed) {
-    const RenderResult result = test::renderScene(scene, importonJob(importons, static_cast<uint>(seed)));
+    RenderJob job = importonJob(importons, static_cast<uint>(seed));
+    job.crop = crop;
+    job.forcesAllFeatures = !crop;  // the scene of a crop has a mirror
+    const RenderResult result = test::renderScene(scene, job);
     const auto &gamma = test::channel(result, "importance.caustic.Y"), &x = test::channel(result, "P.X"),
                &y = test::channel(result, "P.Y"), &z = test::channel(result, "P.Z");
-    for (int row = 1; row + 1 < view.height; ++row) {
-      for (int column = 1; column + 1 < view.width; ++column) {
-        const auto i = static_cast<std::size_t>(row * view.width + column);
+    for (int row = 1; row + 1 < height; ++row) {
+      for (int column = 1; column + 1 < width; ++column) {
+        const auto i = static_cast<std::size_t>(row * width + column);
         moments.add(static_cast<double>(gamma[i]) / expected(dvec3(x[i], y[i], z[i])));
       }
     }
@@ -89,6 +95,34 @@ TEST_F(Importance, OfAPlaneSeenDirectlyIsThePixelsPerSquareMetre) {
   expectUnbiased(ratios(builder.finish(), view, 1u << 16, 1, [&](const dvec3& p) {
     return seenDirectly(view, p, {0, 1, 0});
   }));
+}
+
+TEST_F(Importance, OfACropIsThatOfItsPixelsAndNoneBesides) {
+  const View view{{0, 1.5, 2}, {0, 0, 0}, 0.8, 32, 32};
+  SceneBuilder builder;
+  builder.quad(builder.material(test::diffuse(vec3(0.7f))), {-4, 0, 4}, {8, 0, 0}, {0, 0, -8});
+  builder.square(builder.material(test::mirror()), {0, 3, 8}, {0, 0, -1}, 0.1);  // out of sight: a caustic map
+  builder.directionalLight({0, -1, 0}, vec3(1));
+  addCamera(builder, view);
+  const Scene scene = builder.finish();
+  const Crop crop{4, 2, 26, 29};
+  const auto expected = [&](const dvec3& p) { return seenDirectly(view, p, {0, 1, 0}); };
+  expectUnbiased(ratios(scene, view, 1u << 16, 1, expected, crop));
+  RenderJob job = importonJob(1u << 12, 0);
+  job.crop = crop;
+  job.forcesAllFeatures = false;
+  test::MapRig rig(context(), scene, job);
+  rig.findImportance();
+  const test::ImportonsFound found = rig.importons(MapKind::caustic);
+  ASSERT_FALSE(found.points.empty());
+  const Parameters& p = rig.parameters;
+  for (const MapPoint& point : found.points) {
+    const vec3 to = point.position - p.cameraOrigin, seen = to / glm::dot(to, p.cameraForward);
+    const double column = 16 * (1 + glm::dot(seen, p.cameraRight) / glm::dot(p.cameraRight, p.cameraRight));
+    const double row = 16 * (1 - glm::dot(seen, p.cameraUp) / glm::dot(p.cameraUp, p.cameraUp));
+    EXPECT_TRUE(column > crop.x - 0.01 && column < crop.x + crop.width + 0.01) << column;
+    EXPECT_TRUE(row > crop.y - 0.01 && row < crop.y + crop.height + 0.01) << row;
+  }
 }
 
 TEST_F(Importance, OfAPlaneSeenAtAGrazingAngleFollowsTheFootprint) {

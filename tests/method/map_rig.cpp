@@ -12,11 +12,11 @@ namespace importon::test {
 
 MapRig::MapRig(gpu::Context& context, const Scene& scene, const RenderJob& job)
     : features_(findFeatures(scene, job)), context_(context) {
-  const glm::ivec2 size = chooseSize(chooseCamera(scene, job), job);
+  const FilmPlace film = placeFilm(chooseCamera(scene, job), job);
   kernels_.emplace(context, constantsOf(features_, job, context.limits().isCpu), features_.hasAlpha);
   deviceScene_ = uploadScene(context, scene, buildBvh(scene.positions, scene.triangles));
-  plan = planPasses(job, features_, size, context.limits());
-  parameters = makeParameters(job, scene, plan, size);
+  plan = planPasses(job, features_, film.size, context.limits());
+  parameters = makeParameters(job, scene, plan, film);
   work_.emplace(context, plan.workspace);
   recorder_.emplace(context);
   stage_.emplace(Stage{context, *recorder_, *kernels_, *work_, deviceScene_});

@@ -88,7 +88,7 @@ TEST(CausticLookup, CoversNoMoreThanAPixelsFootprint) {
     gpu::Limits limits;
     limits.maxStorageBufferRange = limits.heapBytes = 1ull << 30;
     const PassPlan plan = planPasses(job, features, {64, 64}, limits);
-    return makeParameters(job, scene, plan, {64, 64}).causticMap.lookupPhotons;
+    return makeParameters(job, scene, plan, allOf({64, 64})).causticMap.lookupPhotons;
   };
   EXPECT_EQ(photonsOf(40), 20);
   EXPECT_EQ(photonsOf(20), 20);

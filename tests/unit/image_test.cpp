@@ -89,6 +89,23 @@ TEST(Exr, ReadsHalfFloatTilesWithAnOffset) {
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(channel->values[i], static_cast<float>(values[i]));
 }
 
+TEST(Exr, KeepsWhereAPartBelongs) {
+  const TemporaryFolder folder;
+  Image part = sample(7, 5, {"R", "depth.Z"});
+  part.whole = {640, 480, 100, 40};
+  writeExr(folder / "a.exr", part);
+  const Image read = readExr(folder / "a.exr");
+  EXPECT_EQ(read.width, 7);
+  EXPECT_EQ(read.height, 5);
+  EXPECT_EQ(read.whole.width, 640);
+  EXPECT_EQ(read.whole.height, 480);
+  EXPECT_EQ(read.whole.x, 100);
+  EXPECT_EQ(read.whole.y, 40);
+  for (const Channel& channel : part.channels) EXPECT_EQ(read.find(channel.name)->values, channel.values);
+  writeExr(folder / "b.exr", sample(7, 5, {"R"}));
+  EXPECT_EQ(readExr(folder / "b.exr").whole.width, 0);
+}
+
 TEST(Exr, RefusesSubsampledChannels) {
   const TemporaryFolder folder;
   const std::string file = folder / "chroma.exr";

@@ -45,6 +45,17 @@ TEST(Merge, AveragesByPasses) {
   EXPECT_EQ(image.attributes.at("importon:scene"), "room.gltf");
 }
 
+TEST(Merge, KeepsWhereCropsBelong) {
+  ImageMerger merger;
+  for (const char* seed : {"0", "1"}) {
+    Image image = run(seed, "1", 1);
+    image.whole = {8, 6, 3, 4};
+    merger.add(image, seed);
+  }
+  EXPECT_EQ(merger.result().whole.width, 8);
+  EXPECT_EQ(merger.result().whole.y, 4);
+}
+
 TEST(Merge, MergesMergedImagesAsIfAllAtOnce) {
   ImageMerger all, two, rest;
   for (ImageMerger* merger : {&all, &two}) {

@@ -41,6 +41,17 @@ TEST(SceneSummary, CountsAndPlacesInTheWorld) {
   EXPECT_TRUE(has(text, "front, perspective, 45.0 degrees high, 320 x 200 pixels")) << text;
 }
 
+TEST(SceneSummary, TellsOfALens) {
+  Scene scene = sample();
+  scene.cameras[0].fStop = 1.4;
+  scene.cameras[0].focusDistance = 2.5;
+  const std::string text = summaryText(scene, kFeatures);
+  EXPECT_TRUE(has(text, "45.0 degrees high, f/1.4 in focus at 2.5 m, 320 x 200 pixels")) << text;
+  const auto json = nlohmann::json::parse(summaryJson(scene, kFeatures));
+  EXPECT_EQ(json["cameras"][0]["f_stop"], 1.4);
+  EXPECT_EQ(json["cameras"][0]["focus_distance"], 2.5);
+}
+
 TEST(SceneSummary, TellsWhatIsModelledAndWhatIsLeftOutAndWhy) {
   const std::string text = summaryText(sample(), kFeatures);
   const std::size_t modelled = text.find("\nmodelled\n"), leftOut = text.find("\nleft out\n");

@@ -13,7 +13,13 @@ layout(push_constant, scalar) uniform Push {
   uint first;      // of each pixel's paths in this pass, or of the plan's paths, before these
   uint isPlanned;  // 1: pixels have as many paths as the sample plan says
   uint paths;      // done in all
+  uint firstPixel; // of the tile in the film
 } push;
+
+// Sums are rounded alike whichever part of the image the film is: the tiles of the whole image number its pixels.
+uint placeInTile(uint slot) {
+  return imageIndex(imagePixel(push.firstPixel + slot)) % (kPathsAtOnce / min(params.samplesPerPass, kFewestAtOnce));
+}
 
 FilmPixel pixel;
 uint random;
@@ -33,6 +39,7 @@ void main() {
   if (slot >= push.count) return;
   isLong = params.pass >= kNearestAdditions / (params.samplesPerPass * kMostPathsShare);
   pixel = film[push.offset + slot];
+  const uint place = placeInTile(slot);
   uint first = slot, stride = push.count, count = push.samples;
   if (push.isPlanned != 0u) {
     const uint begin = max(plannedPaths(slot).x, push.first);
@@ -44,7 +51,7 @@ void main() {
   for (uint k = 0u; k < count; ++k) {
     const PathLight light = pathLight[first + k * stride];
     const float gathers = light.gathers == kSawBackground ? 0.0 : float(light.gathers);
-    random = hashCombine(hashCombine(params.pass, push.first + k), slot);
+    random = hashCombine(hashCombine(params.pass, push.first + k), place);
     add(pixel.emitted, light.emitted);
     add(pixel.direct, light.direct);
     add(pixel.caustic, light.caustic);

@@ -58,7 +58,8 @@ void traceImage(const Stage& stage, const EyeMaps& maps, const EyeSamples& sampl
                          .offset = filmOffset,
                          .first = samples.first,
                          .isPlanned = isPlanned,
-                         .paths = paths},
+                         .paths = paths,
+                         .firstPixel = first},
                         plan, buffers::Film{film});
 }
 

@@ -37,7 +37,7 @@ std::shared_ptr<const Bvh> buildSceneBvh(const Scene& scene, const RenderJob& jo
 }
 
 struct PassContext::Loaded {
-  glm::ivec2 size;
+  FilmPlace film;
   FeatureSet features;
   std::shared_ptr<LoadedDevice> device;
   DeviceScene scene;
@@ -46,7 +46,9 @@ struct PassContext::Loaded {
 PassContext::Loaded PassContext::load(const RenderJob& j, const Scene& s, Log& l, PhaseSeconds& seconds,
                                       const RenderSources& sources) {
   Loaded loaded;
-  loaded.size = chooseSize(chooseCamera(s, j), j);
+  const Camera& camera = chooseCamera(s, j);
+  loaded.film = placeFilm(camera, j);
+  (void)chooseLens(camera, j);  // what it throws need not wait for the device
   loaded.features = findFeatures(s, j);
   // The device and its kernels come up while the tree is built.
   auto loading = std::async(std::launch::async, [&] {
@@ -74,9 +76,9 @@ PassContext::PassContext(const RenderJob& j, const Scene& s, Log& l, RenderStats
       features(loaded.features),
       device(std::move(loaded.device)),
       deviceScene(std::move(loaded.scene)),
-      plan(planPasses(job, features, loaded.size, device->context.limits())),
+      plan(planPasses(job, features, loaded.film.size, device->context.limits())),
       now(plan.whole),
-      parameters(makeParameters(job, scene, plan, loaded.size)),
+      parameters(makeParameters(job, scene, plan, loaded.film)),
       work(device->context, plan.workspace),
       recorder(device->context) {
   upload();  // layers of an image without a pass need them

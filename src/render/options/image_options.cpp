@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "scene/scene.h"
+
 namespace importon {
 namespace {
 
@@ -12,6 +14,13 @@ using namespace option_rows;
 using Group = OptionGroup;
 
 constexpr std::int64_t kMostPixelsWide = 65536;
+
+ValueCheck fStops() {
+  return [](const std::string& given) {
+    if (positive("")(given).empty() && numberOf<double>(given) >= Camera::kLeastFStop) return std::string();
+    return fmt::format("\"{}\" is not a number from {} on", given, Camera::kLeastFStop);
+  };
+}
 
 /// Three numbers of 0 or more, "R,G,B".
 std::optional<std::array<float, 3>> colorOf(const std::string& text) {
@@ -51,6 +60,41 @@ OptionRow background() {
   return std::move(row).forImage();
 }
 
+/// Four whole numbers with a space between each two, as the words of one value are joined.
+std::optional<Crop> cropOf(const std::string& text) {
+  Crop crop;
+  const char *at = text.data(), *end = at + text.size();
+  for (int* const number : {&crop.x, &crop.y, &crop.width, &crop.height}) {
+    if (number != &crop.x && at != end) ++at;
+    const auto read = std::from_chars(at, end, *number);
+    const bool isSize = number == &crop.width || number == &crop.height;
+    if (read.ec != std::errc() || *number < (isSize ? 1 : 0) || *number > kMostPixelsWide) return std::nullopt;
+    if (read.ptr != end && *read.ptr != ' ') return std::nullopt;
+    at = read.ptr;
+  }
+  return at == end ? std::optional(crop) : std::nullopt;
+}
+
+OptionRow crop() {
+  OptionRow row{"--crop",
+                "X Y W H",
+                "only W x H pixels of the image from column X and row Y on, from\nthe upper left; importance comes "
+                "from there alone (default: all)",
+                Group::image,
+                [](const std::string& given) {
+                  if (cropOf(given)) return std::string();
+                  return fmt::format("\"{}\" are not four whole numbers of up to {}, X and Y from 0, W and H from 1",
+                                     given, kMostPixelsWide);
+                },
+                [](RenderJob& job, const std::string& given) { job.crop = cropOf(given); },
+                [](const RenderJob& job) {
+                  if (!job.crop) return std::string("all");
+                  return fmt::format("{} {} {} {}", job.crop->x, job.crop->y, job.crop->width, job.crop->height);
+                }};
+  row.words = 4;
+  return std::move(row).forImage();
+}
+
 OptionRow name(const char* option, const char* help, std::string RenderJob::*member) {
   return {option,
           "NAME",
@@ -72,8 +116,16 @@ std::vector<OptionRow> imageOptions() {
       number(Group::image, "--height", "PIXELS", &RenderJob::height, pixels,
              "height of the image (default: by the camera's aspect ratio)")
           .everyday(),
+      crop(),
       name("--camera", "camera by its name, its node's or index, or all (default: the first)", &RenderJob::camera)
           .everyday(),
+      number(Group::image, "--f-stop", "N", &RenderJob::fStop, fStops(),
+             "a thin lens: focal length, of a film 24 mm high, over the lens's\ndiameter (default: the camera's "
+             "extras.fStop, else a pinhole)")
+          .forImage(),
+      number(Group::image, "--focus", "M", &RenderJob::focus, positive("m"),
+             "distance in focus, along the view, m (default: the camera's\nextras.focusDistance)")
+          .forImage(),
       name("--scene", "which scene of the file, by name or index (default: the file's\nchoice)", &RenderJob::sceneName),
       name("--variant", "which variant of the materials, by name or index (default: none)", &RenderJob::variant),
       number(Group::image, "--at", "SECONDS", &RenderJob::at, notNegative("seconds"),

@@ -39,6 +39,7 @@ struct OptionRow {
   bool isOfPhotons = false;                            // of no use to the path tracer
   bool (*impliesPhotons)(const RenderJob&) = nullptr;  // with its value --gather-from photons is implied
   OptionNeed need = {};
+  int words = 1;  // of its value, which check and set take with a space between each two
 
   /// The long name, "--output".
   [[nodiscard]] std::string name() const { return names.substr(names.find("--")); }

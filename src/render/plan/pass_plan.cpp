@@ -21,11 +21,9 @@ constexpr int kSamplesPerPass = 4;             // camera paths per pixel that sh
 constexpr double kLargestLookup = 0.025;       // radius over the scene's largest side
 constexpr std::uint64_t kBytesPerPhoton = 96;  // stored, sorted and finished, with its share of the cells
 constexpr std::uint64_t kCausticHits = 2;      // of a photon, on average at most: it goes on only through clear coats
-constexpr std::uint64_t kPathsAtOnce = 1u << 18;
-constexpr std::uint32_t kFewestAtOnce = 4;    // of a pixel's paths, where a pass has so many
-constexpr std::uint64_t kBytesPerCell = 200;  // two sides of two halves and of what is read; its part of groups
-constexpr uint kProgramFewest = 3;            // neighbours that the program takes for none
-constexpr double kUnhurried = 8;              // seconds; in less, passes and what is learned before them are smaller
+constexpr std::uint64_t kBytesPerCell = 200;   // two sides of two halves and of what is read; its part of groups
+constexpr uint kProgramFewest = 3;             // neighbours that the program takes for none
+constexpr double kUnhurried = 8;               // seconds; in less, passes and what is learned before them are smaller
 constexpr double kLeastInHaste = 1.0 / 8;
 constexpr int kNearestPhotons = 80;          // of a lookup by the nearest ones
 constexpr std::uint64_t kPhotonLevels = 12;  // at which a photon may stand for lookups of the nearest ones
@@ -166,11 +164,14 @@ double surfaceArea(const Scene& scene) {
   return area;
 }
 
-Parameters makeParameters(const RenderJob& job, const Scene& scene, const PassPlan& plan, glm::ivec2 size) {
+Parameters makeParameters(const RenderJob& job, const Scene& scene, const PassPlan& plan, const FilmPlace& film) {
   Parameters p{};
-  p.width = static_cast<uint>(size.x);
-  p.height = static_cast<uint>(size.y);
-  setCamera(p, chooseCamera(scene, job), scene);
+  p.width = static_cast<uint>(film.size.x);
+  p.height = static_cast<uint>(film.size.y);
+  p.imageSize = uvec2(film.whole);
+  p.filmCorner = uvec2(film.corner);
+  const Camera& camera = chooseCamera(scene, job);
+  setCamera(p, camera, chooseLens(camera, job), scene);
   const vec3 sides = scene.boundsMax - scene.boundsMin;
   const float longest = std::max({sides.x, sides.y, sides.z});
   p.gridOrigin = scene.boundsMin;

@@ -54,7 +54,7 @@ struct PassPlan {
   }
 };
 
-/// Chooses counts for an image of `size` pixels on a device of `limits`.
+/// Chooses counts for a film of `size` pixels on a device of `limits`.
 [[nodiscard]] PassPlan planPasses(const RenderJob& job, const FeatureSet& features, glm::ivec2 size,
                                   const gpu::Limits& limits);
 
@@ -63,6 +63,6 @@ struct PassPlan {
 
 /// Parameters that hold for all passes: camera, scene, map settings.
 [[nodiscard]] Parameters makeParameters(const RenderJob& job, const Scene& scene, const PassPlan& plan,
-                                        glm::ivec2 size);
+                                        const FilmPlace& film);
 
 }  // namespace importon

@@ -38,6 +38,8 @@ std::uint64_t imageFingerprint(const RenderJob& job, const Scene& scene) {
   hash.add(std::as_bytes(std::span(&camera.worldFromCamera, 1)));
   hash.add(fmt::format("{} {} {} {} {} {} {}", size.x, size.y, camera.isOrthographic, camera.yfov, camera.aspectRatio,
                        camera.xmag, camera.ymag));
+  const Lens lens = chooseLens(camera, job);
+  hash.add(fmt::format("{} {}", lens.radius, lens.focusDistance));
   const EnvironmentMap environment = scene.environment.value_or(EnvironmentMap{});
   hash.add(fmt::format("{} {}", environment.width, environment.height));
   addArray(hash, environment.texels);

@@ -46,6 +46,32 @@ void setLens(const tinygltf::Camera& source, const std::string& where, Camera& c
   throw SceneError("xmag and ymag of a camera must not be 0", where, kExportAgain);
 }
 
+/// A member of `extras` that is a number from `least` on; else 0, with a warning if it is there.
+double lensNumber(const nlohmann::json& extras, const char* key, double least, const std::string& pointer,
+                  const GltfDocument& document) {
+  if (member(extras, key).is_null()) return 0;
+  const double value = numberOr(extras, key, 0);
+  if (value > 0 && value >= least && std::isfinite(value)) return value;
+  document.faults.forgive("lens that is none", pointer, fmt::format("{} is not a number above 0", key),
+                          "it is left out");
+  return 0;
+}
+
+void readLens(const nlohmann::json& extras, const std::string& pointer, const GltfDocument& document, Camera& camera) {
+  const double fStop = lensNumber(extras, "fStop", Camera::kLeastFStop, pointer, document);
+  const double focus = lensNumber(extras, "focusDistance", 0, pointer, document);
+  const auto leaveOut = [&](const std::string& what) {
+    document.faults.forgive("lens that is none", pointer, what, "the camera is a pinhole");
+  };
+  if (fStop > 0 && camera.isOrthographic) return leaveOut("an orthographic camera has no lens");
+  if (fStop > 0 && focus > 0 && focus <= camera.focalLength())
+    return leaveOut(
+        fmt::format("focusDistance {} is not beyond the focal length of {:.6g} m", focus, camera.focalLength()));
+  if (fStop > 0 && focus == 0) leaveOut("fStop comes without a focusDistance");
+  camera.fStop = fStop;
+  if (!camera.isOrthographic) camera.focusDistance = focus;
+}
+
 Camera readCamera(const GltfDocument& document, const PlacedNode& placed) {
   constexpr int kLargestImage = 65536;
   const tinygltf::Node& node = document.model.nodes[placed.node];
@@ -64,6 +90,7 @@ Camera readCamera(const GltfDocument& document, const PlacedNode& placed) {
     camera.width = width;
     camera.height = height;
   }
+  readLens(extras, fmt::format("/cameras/{}/extras", index), document, camera);
   return camera;
 }
 
