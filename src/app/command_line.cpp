@@ -7,11 +7,13 @@
 
 #include "CLI/CLI.hpp"
 #include "app/batch/batch_options.h"
+#include "app/batch/sequence_command.h"
 #include "app/converge_options.h"
 #include "app/render_options.h"
 #include "app/study_options.h"
 #include "base/error.h"
 #include "base/value_checks.h"
+#include "render/options/sequence_options.h"
 
 namespace importon {
 namespace {
@@ -142,6 +144,7 @@ void Parser::addMerge() {
 Command Parser::chosen() {
   if (renderApp->parsed()) {
     finishRenderCommand(*renderApp, render);
+    if (isSequence(render.job)) return makeSequenceCommand(render);
     if (isBatch(render)) return makeBatchCommand(render);
     return render;
   }

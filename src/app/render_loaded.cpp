@@ -100,6 +100,10 @@ RenderOutcome renderLoaded(const RenderJob& job, const LoadedScene& loaded, Log&
     log.note("interrupted before the first pass was done: no image is written");
     return {ExitStatus::interrupted};
   }
+  if (result.wasInterrupted && job.frame) {  // a sequence has whole frames, or --skip-existing would keep this one
+    log.note("interrupted: this frame is not written");
+    return {ExitStatus::interrupted};
+  }
   writeOutputs(job, loaded.scene, log, result, start);
   log.detail(fmt::format("{} passes in {:.2f} s", result.stats.passes, secondsSince(start)));
   RenderOutcome outcome{ExitStatus::ok, std::move(result.stats)};

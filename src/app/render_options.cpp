@@ -9,6 +9,7 @@
 #include "fmt/format.h"
 #include "render/options/gather_source.h"
 #include "render/options/option_table.h"
+#include "render/options/sequence_options.h"
 
 namespace importon {
 namespace {
@@ -55,11 +56,17 @@ bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) 
          fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error);
 }
 
+/// A line of a list lacks some options.
+bool isGiven(const CLI::App& app, const OptionRow& row) {
+  const CLI::Option* option = app.get_option_no_throw(row.name());
+  return option != nullptr && option->count() > 0;
+}
+
 /// Names of the given options that only the photon map has a use for.
 std::vector<std::string> givenPhotonOptions(const CLI::App& app) {
   std::vector<std::string> given;
   for (const OptionRow& row : optionTable())
-    if (row.isOfPhotons && app.count(row.name()) > 0) given.push_back(row.name());
+    if (row.isOfPhotons && isGiven(app, row)) given.push_back(row.name());
   if (app.count("--talk") > 0) given.emplace_back("--talk");
   return given;
 }
@@ -144,7 +151,7 @@ void finishRenderCommand(const CLI::App& app, RenderCommand& command) {
   if (app.count("--talk") > 0) applyTalk(app, command.job);
   for (const std::string& name : givenPhotonOptions(app)) command.photonOptions.push_back(name);
   for (const OptionRow& row : optionTable())
-    if (app.count(row.name()) > 0) command.given.push_back(row.name());
+    if (isGiven(app, row)) command.given.push_back(row.name());
   if (!isBatch(command)) checkFiles(command.job);  // the files of a batch: checkJobFiles
   checkGatherSource(command);
   checkNeeds(command);
@@ -156,6 +163,7 @@ void parseListLine(std::vector<std::string> words, RenderCommand& command, const
   addRenderOptions(app, command);
   app.get_option("--output")->required(false);
   for (const char* name : {"--list", "--quiet", "--verbose"}) app.remove_option(app.get_option(name));
+  for (const OptionRow& row : sequenceOptions()) app.remove_option(app.get_option(row.name()));
   std::ranges::reverse(words);  // CLI11 takes them from the end
   try {
     app.parse(words);

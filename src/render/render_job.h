@@ -33,6 +33,11 @@ enum class ScatterChoice { material, guided };  // by what photons scatter: the 
 enum class GuideWeight { importance, deficit, potential };  // what guided emission follows
 enum class PhotonsShot { all, enough };  // of a pass: all that it may have, or what important places require
 
+/// Pictures of a sequence, by their numbers.
+struct FrameRange {
+  std::int64_t first = 0, last = 0;
+};
+
 /// Unset optionals are chosen automatically. Names follow the options of `importon render`, each of which has a row in
 /// render/options/option_table.cpp.
 struct RenderJob {
@@ -97,10 +102,18 @@ struct RenderJob {
   std::filesystem::path resume;       // a checkpoint to go on from; empty: none
   std::filesystem::path reference;    // adds the error against it to the statistics; empty: none
   bool validation = false;
-  bool leavesCache = false;          // the user's cache folder is neither read nor written
-  std::uint32_t workgroupSize = 64;  // invocations; the image does not depend on it
-  bool forcesAllFeatures = false;    // every feature on: must give the same image
+  bool leavesCache = false;               // the user's cache folder is neither read nor written
+  std::uint32_t workgroupSize = 64;       // invocations; the image does not depend on it
+  bool forcesAllFeatures = false;         // every feature on: must give the same image
+  std::optional<FrameRange> frames;       // of the animations; unset: one picture, or those of the turntable
+  std::optional<double> framesPerSecond;  // unset: kFramesPerSecond
+  std::optional<int> turntable;           // frames in which the camera goes round; unset: it stays
+  bool skipsMadeFrames = false;
+  bool hasSeedPerFrame = false;
+  std::optional<std::int64_t> frame;  // which one of a sequence this is; unset: of none
   std::vector<std::string> commandLine;
+
+  static constexpr double kFramesPerSecond = 24;
 };
 
 }  // namespace importon

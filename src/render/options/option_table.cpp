@@ -8,6 +8,7 @@
 #include "render/options/aov_table.h"
 #include "render/options/gather_source.h"
 #include "render/options/image_options.h"
+#include "render/options/sequence_options.h"
 
 namespace importon {
 namespace {
@@ -318,7 +319,7 @@ Rows runOptions() {
            "write the state every minute and at the end (default: none)")
           .everyday(),
       text(Group::pausing, "--resume", "F", &RenderJob::resume,
-           "go on from a checkpoint of this job, to the same image\nas a run never stopped (default: none)")
+           "go on from a checkpoint, to the same image (default: none)")
           .everyday(),
       text(
           Group::machine, "--device", "NAME", &RenderJob::device,
@@ -349,8 +350,9 @@ Rows runOptions() {
 const std::vector<OptionRow>& optionTable() {
   static const Rows kTable = [] {
     Rows all;
-    for (const Rows& rows : {outputOptions(), imageOptions(), stopOptions(), methodOptions(), controlOptions(),
-                             emissionOptions(), densityOptions(), quotaOptions(), lookupOptions(), runOptions()})
+    for (const Rows& rows :
+         {outputOptions(), imageOptions(), sequenceOptions(), stopOptions(), methodOptions(), controlOptions(),
+          emissionOptions(), densityOptions(), quotaOptions(), lookupOptions(), runOptions()})
       all.insert(all.end(), rows.begin(), rows.end());
     return all;
   }();
