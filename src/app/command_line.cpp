@@ -135,7 +135,7 @@ void Parser::addMerge() {
       ->required()
       ->check(notEmpty())
       ->type_name("F.exr");
-  mergeApp->add_option("--png", merge.png, "tone-mapped preview beside it (default: none)")
+  mergeApp->add_option("--png", merge.png, "tone-mapped preview beside it, F.jpg a JPEG (default: none)")
       ->check(notEmpty())
       ->type_name("F.png");
   addLookOptions(*mergeApp, merge.job);
@@ -152,7 +152,12 @@ Command Parser::chosen() {
   if (compareApp->parsed()) return compare;
   if (convergeApp->parsed()) return makeConvergeCommand(converge, convergeApp->remaining());
   if (studyApp->parsed()) return makeStudyCommand(study, studyApp->remaining());
-  if (mergeApp->parsed()) return merge;
+  if (mergeApp->parsed()) {
+    RenderJob outputs;
+    outputs.png = merge.png;
+    checkPictureKinds(outputs);
+    return merge;
+  }
   return DevicesCommand{};
 }
 

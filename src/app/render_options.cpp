@@ -7,6 +7,7 @@
 #include "app/batch/batch_options.h"
 #include "base/error.h"
 #include "fmt/format.h"
+#include "io/picture_file.h"
 #include "render/options/gather_source.h"
 #include "render/options/option_table.h"
 #include "render/options/sequence_options.h"
@@ -99,6 +100,15 @@ void checkFiles(const RenderJob& job) {
   }
 }
 
+/// Throws UsageError where a name tells of no kind of pictures that there is.
+void checkKind(const char* option, const std::filesystem::path& file, PictureKind plain, bool isForScreensAlone) {
+  if (file.empty()) return;
+  const std::optional<PictureKind> kind = pictureKind(file, plain);
+  if (kind && (!isForScreensAlone || isForScreens(*kind))) return;
+  throw UsageError(fmt::format("{} names no kind of pictures that it can be", option), file.string(),
+                   isForScreensAlone ? "give .png or .jpg" : "give .exr, .hdr, .png or .jpg");
+}
+
 void checkNeeds(const RenderCommand& command) {
   for (const OptionRow& row : optionTable())
     if (row.need.isMet != nullptr && std::ranges::count(command.given, row.name()) > 0 && !row.need.isMet(command.job))
@@ -121,6 +131,11 @@ bool isEveryday(const CLI::Option& option) {
 
 }  // namespace
 
+void checkPictureKinds(const RenderJob& job) {
+  checkKind("--output", job.output, PictureKind::exr, false);
+  checkKind("--png", job.png, PictureKind::png, true);
+}
+
 void addSceneOptions(CLI::App& app, RenderJob& job) {
   for (const char* name :
        {"--scene", "--variant", "--at", "--animation", "--light", "--environment", "--strict", "--allow-outside-files"})
@@ -128,7 +143,7 @@ void addSceneOptions(CLI::App& app, RenderJob& job) {
 }
 
 void addLookOptions(CLI::App& app, RenderJob& job) {
-  for (const char* name : {"--exposure", "--tone-map"}) addRow(app, rowOf(name), job, "Options");
+  for (const char* name : {"--exposure", "--tone-map", "--png-depth"}) addRow(app, rowOf(name), job, "Options");
 }
 
 void addRenderOptions(CLI::App& app, RenderCommand& command) {
@@ -152,7 +167,10 @@ void finishRenderCommand(const CLI::App& app, RenderCommand& command) {
   for (const std::string& name : givenPhotonOptions(app)) command.photonOptions.push_back(name);
   for (const OptionRow& row : optionTable())
     if (isGiven(app, row)) command.given.push_back(row.name());
-  if (!isBatch(command)) checkFiles(command.job);  // the files of a batch: checkJobFiles
+  if (!isBatch(command)) {  // the files of a batch: checkJobFiles
+    checkFiles(command.job);
+    checkPictureKinds(command.job);
+  }
   checkGatherSource(command);
   checkNeeds(command);
 }

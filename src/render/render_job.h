@@ -43,8 +43,9 @@ struct FrameRange {
 struct RenderJob {
   std::filesystem::path scene;
   std::filesystem::path output;
-  std::filesystem::path png;         // empty: none
-  Look look;                         // of the PNG
+  std::filesystem::path png;         // or JPEG; empty: none
+  Look look;                         // of pictures for screens
+  bool hasHalfColors = false;        // in OpenEXR
   std::optional<int> width, height;  // pixels
   PixelFilter filter = PixelFilter::box;
   std::string camera;        // name or index; empty: the first

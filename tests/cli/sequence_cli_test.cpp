@@ -81,8 +81,8 @@ TEST_F(CliSequence, NeedsNamesWithOneNumber) {
   refused({"-o", good, "--png", folder_ / "a.png"}, {"--png names one file"});
   refused({"-o", good, "--reference", folder_ / "r.exr"}, {"--reference names one file"});
   refused({"-o", good, "--stats", folder_ / "%d%d.json"}, {"--stats", "more than one number"});
-  refused({"-o", folder_ / "f%d.exr", "--png", folder_ / "f%1d.exr"}, {"\"%1\""});
-  refused({"-o", folder_ / "f%d.exr", "--png", folder_ / "f%01d.exr"}, {"the same name", "f0.exr"});
+  refused({"-o", folder_ / "f%d.png", "--png", folder_ / "f%1d.png"}, {"\"%1\""});
+  refused({"-o", folder_ / "f%d.png", "--png", folder_ / "f%01d.png"}, {"the same name", "f0.png"});
   EXPECT_EQ(folder_.entries(), 0);
 }
 
