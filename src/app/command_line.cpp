@@ -7,11 +7,13 @@
 
 #include "CLI/CLI.hpp"
 #include "app/batch/batch_options.h"
+#include "app/batch/sequence_command.h"
 #include "app/converge_options.h"
 #include "app/render_options.h"
 #include "app/study_options.h"
 #include "base/error.h"
 #include "base/value_checks.h"
+#include "render/options/sequence_options.h"
 
 namespace importon {
 namespace {
@@ -133,7 +135,7 @@ void Parser::addMerge() {
       ->required()
       ->check(notEmpty())
       ->type_name("F.exr");
-  mergeApp->add_option("--png", merge.png, "tone-mapped preview beside it (default: none)")
+  mergeApp->add_option("--png", merge.png, "tone-mapped preview beside it, F.jpg a JPEG (default: none)")
       ->check(notEmpty())
       ->type_name("F.png");
   addLookOptions(*mergeApp, merge.job);
@@ -142,6 +144,7 @@ void Parser::addMerge() {
 Command Parser::chosen() {
   if (renderApp->parsed()) {
     finishRenderCommand(*renderApp, render);
+    if (isSequence(render.job)) return makeSequenceCommand(render);
     if (isBatch(render)) return makeBatchCommand(render);
     return render;
   }
@@ -149,7 +152,12 @@ Command Parser::chosen() {
   if (compareApp->parsed()) return compare;
   if (convergeApp->parsed()) return makeConvergeCommand(converge, convergeApp->remaining());
   if (studyApp->parsed()) return makeStudyCommand(study, studyApp->remaining());
-  if (mergeApp->parsed()) return merge;
+  if (mergeApp->parsed()) {
+    RenderJob outputs;
+    outputs.png = merge.png;
+    checkPictureKinds(outputs);
+    return merge;
+  }
   return DevicesCommand{};
 }
 

@@ -22,10 +22,12 @@ struct RenderCommand {
   Log::Verbosity verbosity = Log::Verbosity::normal;
 };
 
-/// A picture, or with --camera all one for each camera of the scene, whose name goes into those of the files.
+/// A picture; or with --camera all one for each camera of the scene, whose name goes into those of the files; or of a
+/// turntable one for each frame, whose number does.
 struct BatchEntry {
   RenderCommand render;
   bool hasAllCameras = false;
+  std::vector<std::int64_t> frames = {};
 };
 
 struct BatchCommand {
@@ -34,6 +36,7 @@ struct BatchCommand {
   std::filesystem::path summary;            // empty: none
   std::vector<std::string> commandLine;
   Log::Verbosity verbosity = Log::Verbosity::normal;
+  bool isSequence = false;  // its jobs are frames, which say once what they all say
 };
 
 struct InfoCommand {

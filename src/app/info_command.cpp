@@ -10,7 +10,9 @@ namespace importon {
 
 ExitStatus runInfo(const InfoCommand& command) {
   Log log;
-  const Scene scene = loadGltf(command.job.scene, log, loadOptions(command.job));
+  LoadOptions options = loadOptions(command.job);
+  options.listsAnimations = true;
+  const Scene scene = loadGltf(command.job.scene, log, options);
   const std::vector<FeatureRow> features = describeFeatures(scene, command.job);
   std::fputs((command.isJson ? summaryJson(scene, features) : summaryText(scene, features)).c_str(), stdout);
   return ExitStatus::ok;

@@ -1,6 +1,6 @@
 #include "app/commands.h"
 #include "io/image.h"
-#include "io/png.h"
+#include "io/picture_file.h"
 #include "report/merge.h"
 
 namespace importon {
@@ -12,7 +12,7 @@ ExitStatus runMerge(const MergeCommand& command) {
   for (const std::filesystem::path& file : command.images) merger.add(readExr(file), file.string());
   const Image merged = merger.result();
   writeExr(command.output, merged);
-  if (!command.png.empty()) writePng(command.png, merged, command.job.look);
+  if (!command.png.empty()) writePicture(command.png, merged, command.job.look, PictureKind::png);
   return ExitStatus::ok;
 }
 

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/progress.h"
 #include "app/reference_errors.h"
@@ -12,8 +13,10 @@
 #include "fmt/ranges.h"
 #include "io/image.h"
 #include "io/output_file.h"
-#include "io/png.h"
+#include "io/picture_file.h"
+#include "render/options/aov_table.h"
 #include "render/options/gather_source.h"
+#include "render/plan/camera_matrices.h"
 #include "render/resume/job_fingerprint.h"
 
 namespace importon {
@@ -24,11 +27,25 @@ void warnOfUnusedOptions(const RenderCommand& command, Log& log) {
   log.warn("unused option", fmt::format("the path tracer has no use for {}", fmt::join(command.photonOptions, ", ")));
 }
 
+bool writes(const RenderJob& job, PictureKind kind) {
+  return pictureKind(job.output, PictureKind::exr) == kind ||
+         (!job.png.empty() && pictureKind(job.png, PictureKind::png) == kind);
+}
+
 void warnOfUnusedLook(const RenderCommand& command, Log& log) {
-  if (!command.job.png.empty()) return;
-  for (const char* name : {"--exposure", "--tone-map"})
+  const RenderJob& job = command.job;
+  const bool hasPng = writes(job, PictureKind::png), hasJpeg = writes(job, PictureKind::jpeg);
+  const auto warn = [&](const char* name, const char* why) {
     if (std::ranges::count(command.given, name) > 0)
-      log.warn("unused option", fmt::format("{} is of the PNG, and no --png is asked for", name));
+      log.warn("unused option", fmt::format("{} is of the PNG, and {}", name, why));
+  };
+  if (!hasPng && !hasJpeg)
+    for (const char* name : {"--exposure", "--tone-map"}) warn(name, "no --png is asked for");
+  if (!hasPng) warn("--png-depth", "none is asked for");
+  if (job.isTransparent && hasJpeg)
+    log.warn("no opacity", "a JPEG has no opacity: the picture stands in front of black");
+  if (job.isTransparent && writes(job, PictureKind::hdr))
+    log.warn("no opacity", "a Radiance picture has no opacity: the picture stands in front of black");
 }
 
 void tellGatherSource(const RenderJob& job, Log& log) {
@@ -37,9 +54,31 @@ void tellGatherSource(const RenderJob& job, Log& log) {
   log.detail(fmt::format("gather rays read {}{}{}", gatherSourceName(job), reason.empty() ? "" : ", by ", reason));
 }
 
+/// What shows light; but variance and error are of no use where small numbers are rounded.
+bool isColor(const std::string& channel) {
+  const std::size_t dot = channel.rfind('.');
+  if (dot == std::string::npos) return true;  // R, G, B, A
+  const AovRow& row = aovRow(channel.substr(0, dot));
+  return row.suffixes == "RGB" && row.source != AovSource::filmVariance && row.source != AovSource::filmError;
+}
+
+void makeColorsHalf(Image& image, Log& log) {
+  constexpr float kMost = 65504;
+  std::size_t tooBright = 0;
+  for (Channel& channel : image.channels) {
+    channel.isHalf = isColor(channel.name);
+    if (channel.isHalf)
+      tooBright +=
+          static_cast<std::size_t>(std::ranges::count_if(channel.values, [](float v) { return std::abs(v) > kMost; }));
+  }
+  if (tooBright > 0)
+    log.warn("too bright for --half", fmt::format("{} values above 65504 are written as that, by --half", tooBright));
+}
+
 /// Nothing that changes from run to run, so that the same job gives the same bytes.
 void addAttributes(const RenderJob& job, const Scene& scene, RenderResult& result) {
   auto& attributes = result.image.attributes;
+  attributes["software"] = std::string("importon ") + IMPORTON_VERSION;
   attributes["importon:version"] = IMPORTON_VERSION;
   attributes["importon:scene"] = job.scene.filename().string();
   attributes["importon:job"] = fmt::format("{:016x}", imageFingerprint(job, scene));
@@ -48,6 +87,8 @@ void addAttributes(const RenderJob& job, const Scene& scene, RenderResult& resul
   std::vector<std::string> names;
   for (const DeviceStats& device : result.stats.devices) names.push_back(device.name);
   attributes["importon:device"] = fmt::format("{}", fmt::join(names, " + "));
+  const CameraMatrices matrices = cameraMatrices(scene, job);
+  result.image.matrices = {{"worldToCamera", matrices.worldToCamera}, {"worldToNDC", matrices.worldToNdc}};
 }
 
 std::uint64_t peakHostBytes() {
@@ -56,12 +97,12 @@ std::uint64_t peakHostBytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts KiB
 }
 
-void writeOutputs(const RenderJob& job, const Scene& scene, const Log& log, RenderResult& result,
-                  Clock::time_point start) {
+void writeOutputs(const RenderJob& job, const Scene& scene, Log& log, RenderResult& result, Clock::time_point start) {
   const Clock::time_point outputStart = Clock::now();
   addAttributes(job, scene, result);
-  writeExr(job.output, result.image);
-  if (!job.png.empty()) writePng(job.png, result.image, job.look);
+  if (job.hasHalfColors) makeColorsHalf(result.image, log);
+  writePicture(job.output, result.image, job.look, PictureKind::exr);
+  if (!job.png.empty()) writePicture(job.png, result.image, job.look, PictureKind::png);
   result.stats.hostPeakBytes = peakHostBytes();
   result.stats.seconds.output = secondsSince(outputStart);
   result.stats.seconds.total = secondsSince(start);
@@ -98,6 +139,10 @@ RenderOutcome renderLoaded(const RenderJob& job, const LoadedScene& loaded, Log&
 
   if (result.wasInterrupted && result.stats.passes == 0) {
     log.note("interrupted before the first pass was done: no image is written");
+    return {ExitStatus::interrupted};
+  }
+  if (result.wasInterrupted && job.frame) {  // a sequence has whole frames, or --skip-existing would keep this one
+    log.note("interrupted: this frame is not written");
     return {ExitStatus::interrupted};
   }
   writeOutputs(job, loaded.scene, log, result, start);

@@ -8,8 +8,10 @@
 #include "base/error.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
+#include "io/picture_file.h"
 #include "render/options/gather_source.h"
 #include "render/options/option_table.h"
+#include "render/options/sequence_options.h"
 
 namespace importon {
 namespace {
@@ -73,11 +75,17 @@ bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) 
          fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error);
 }
 
+/// A line of a list lacks some options.
+bool isGiven(const CLI::App& app, const OptionRow& row) {
+  const CLI::Option* option = app.get_option_no_throw(row.name());
+  return option != nullptr && option->count() > 0;
+}
+
 /// Names of the given options that only the photon map has a use for.
 std::vector<std::string> givenPhotonOptions(const CLI::App& app) {
   std::vector<std::string> given;
   for (const OptionRow& row : optionTable())
-    if (row.isOfPhotons && app.count(row.name()) > 0) given.push_back(row.name());
+    if (row.isOfPhotons && isGiven(app, row)) given.push_back(row.name());
   if (app.count("--talk") > 0) given.emplace_back("--talk");
   return given;
 }
@@ -110,6 +118,15 @@ void checkFiles(const RenderJob& job) {
   }
 }
 
+/// Throws UsageError where a name tells of no kind of pictures that there is.
+void checkKind(const char* option, const std::filesystem::path& file, PictureKind plain, bool isForScreensAlone) {
+  if (file.empty()) return;
+  const std::optional<PictureKind> kind = pictureKind(file, plain);
+  if (kind && (!isForScreensAlone || isForScreens(*kind))) return;
+  throw UsageError(fmt::format("{} names no kind of pictures that it can be", option), file.string(),
+                   isForScreensAlone ? "give .png or .jpg" : "give .exr, .hdr, .png or .jpg");
+}
+
 void checkNeeds(const RenderCommand& command) {
   for (const OptionRow& row : optionTable())
     if (row.need.isMet != nullptr && std::ranges::count(command.given, row.name()) > 0 && !row.need.isMet(command.job))
@@ -132,6 +149,11 @@ bool isEveryday(const CLI::Option& option) {
 
 }  // namespace
 
+void checkPictureKinds(const RenderJob& job) {
+  checkKind("--output", job.output, PictureKind::exr, false);
+  checkKind("--png", job.png, PictureKind::png, true);
+}
+
 void addSceneOptions(CLI::App& app, RenderJob& job) {
   for (const char* name :
        {"--scene", "--variant", "--at", "--animation", "--light", "--environment", "--strict", "--allow-outside-files"})
@@ -139,7 +161,7 @@ void addSceneOptions(CLI::App& app, RenderJob& job) {
 }
 
 void addLookOptions(CLI::App& app, RenderJob& job) {
-  for (const char* name : {"--exposure", "--tone-map"}) addRow(app, rowOf(name), job, "Options");
+  for (const char* name : {"--exposure", "--tone-map", "--png-depth"}) addRow(app, rowOf(name), job, "Options");
 }
 
 void addRenderOptions(CLI::App& app, RenderCommand& command) {
@@ -162,8 +184,11 @@ void finishRenderCommand(const CLI::App& app, RenderCommand& command) {
   if (app.count("--talk") > 0) applyTalk(app, command.job);
   for (const std::string& name : givenPhotonOptions(app)) command.photonOptions.push_back(name);
   for (const OptionRow& row : optionTable())
-    if (app.count(row.name()) > 0) command.given.push_back(row.name());
-  if (!isBatch(command)) checkFiles(command.job);  // the files of a batch: checkJobFiles
+    if (isGiven(app, row)) command.given.push_back(row.name());
+  if (!isBatch(command)) {  // the files of a batch: checkJobFiles
+    checkFiles(command.job);
+    checkPictureKinds(command.job);
+  }
   checkGatherSource(command);
   checkNeeds(command);
 }
@@ -174,6 +199,7 @@ void parseListLine(std::vector<std::string> words, RenderCommand& command, const
   addRenderOptions(app, command);
   app.get_option("--output")->required(false);
   for (const char* name : {"--list", "--quiet", "--verbose"}) app.remove_option(app.get_option(name));
+  for (const OptionRow& row : sequenceOptions()) app.remove_option(app.get_option(row.name()));
   std::ranges::reverse(words);  // CLI11 takes them from the end
   try {
     app.parse(words);

@@ -26,6 +26,9 @@ void parseListLine(std::vector<std::string> words, RenderCommand& command, const
 /// options that contradict each other. Throws UsageError.
 void finishRenderCommand(const CLI::App& app, RenderCommand& command);
 
+/// Throws UsageError where the name of the picture or its preview tells of no kind that there is.
+void checkPictureKinds(const RenderJob& job);
+
 /// Leaves in the help what one needs every day.
 void hideRareOptions(CLI::App& app);
 

@@ -47,6 +47,25 @@ std::string choiceText(const char* kind, const std::vector<std::string>& names) 
   return text;
 }
 
+/// "walk, 2.5 s, 3 channels: 2 rotation, 1 translation".
+std::string animationText(const AnimationSummary& animation) {
+  std::string text = animation.name.empty() ? "(unnamed)" : animation.name;
+  text += animation.duration ? fmt::format(", {:.6g} s", *animation.duration) : std::string(", of unknown length");
+  std::string kinds;
+  std::size_t count = 0;
+  for (const auto& [kind, channels] : animation.channels) {
+    kinds += fmt::format("{} {} {}", count == 0 ? ":" : ",", channels, kind);
+    count += channels;
+  }
+  return text + fmt::format(", {} channel{}{}", count, count == 1 ? "" : "s", kinds);
+}
+
+Json animationJson(const AnimationSummary& animation) {
+  return {{"name", animation.name},
+          {"seconds", animation.duration ? Json(*animation.duration) : Json()},
+          {"channels", animation.channels.empty() ? Json::object() : Json(animation.channels)}};
+}
+
 Json cameraJson(const Camera& camera) {
   Json json{{"name", camera.name},
             {"node", camera.nodeName},
@@ -93,6 +112,8 @@ std::string summaryText(const Scene& scene, std::span<const FeatureRow> features
   text += "\n";
   text += choiceText("scene", scene.sceneNames.size() > 1 ? scene.sceneNames : std::vector<std::string>());
   text += choiceText("variant", scene.variantNames);
+  for (std::size_t i = 0; i < scene.animations.size(); ++i)
+    text += fmt::format("animation {}  {}\n", i, animationText(scene.animations[i]));
   for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
     text += fmt::format("camera {}   {}{}\n", i, cameraText(scene.cameras[i]),
                         scene.hasCameraInFile ? "" : " (none in the file: this one frames the scene)");
@@ -116,6 +137,8 @@ std::string summaryJson(const Scene& scene, std::span<const FeatureRow> features
   root["light"] = lightName(scene);
   root["scenes"] = scene.sceneNames;
   root["variants"] = scene.variantNames;
+  root["animations"] = Json::array();
+  for (const AnimationSummary& animation : scene.animations) root["animations"].push_back(animationJson(animation));
   root["cameras"] = Json::array();
   for (const Camera& camera : scene.cameras) root["cameras"].push_back(cameraJson(camera));
   root["has_camera_in_file"] = scene.hasCameraInFile;

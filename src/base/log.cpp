@@ -68,8 +68,19 @@ void Log::hold() {
 void Log::release() {
   const std::lock_guard lock(mutex_);
   isHeld_ = false;
-  if (!held_.empty()) writeToStderr(std::exchange(held_, ""));
+  for (const std::string& line : std::exchange(held_, {}))
+    if (isNew(line)) writeToStderr(line);
 }
+
+void Log::release(std::set<std::string>& told) {
+  {
+    const std::lock_guard lock(mutex_);
+    told_ = &told;
+  }
+  release();
+}
+
+bool Log::isNew(const std::string& line) { return told_ == nullptr || told_->insert(line).second; }
 
 void Log::progress(std::string_view line) {
   const std::lock_guard lock(mutex_);
@@ -96,15 +107,16 @@ std::vector<Warning> Log::warnings() const {
 /// One write per line, so that lines of several threads or processes don't mix; the progress line is drawn anew
 /// below it. Callers hold the mutex.
 void Log::print(std::string_view prefix, std::string_view message) {
-  std::string text;
-  if (hasProgressLine_) text += kEraseLine;
-  text.append(prefix).append(subject_).append(message).append("\n");
-  if (isHeld_) {
-    held_ += text;
+  std::string line;
+  line.append(prefix).append(subject_).append(message).append("\n");
+  if (isHeld_)
+    held_.push_back(line);
+  else if (!isNew(line))
     return;
-  }
-  if (hasProgressLine_) text += progressLine_;
-  writeToStderr(text);
+  else if (hasProgressLine_)
+    writeToStderr(std::string(kEraseLine) + line + progressLine_);
+  else
+    writeToStderr(line);
 }
 
 }  // namespace importon

@@ -2,6 +2,7 @@
 #pragma once
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,8 @@ class Log {
   /// Keeps all messages back until release(): what is done ahead speaks when its turn comes.
   void hold();
   void release();
+  /// Messages that are in `told` are not printed, now or later; others go in. It must last.
+  void release(std::set<std::string>& told);
   /// Rewrites the progress line; shows nothing unless stderr is a terminal.
   void progress(std::string_view line);
   void endProgress();
@@ -40,11 +43,13 @@ class Log {
 
  private:
   void print(std::string_view prefix, std::string_view message);
+  bool isNew(const std::string& line);
   mutable std::mutex mutex_;
   Verbosity verbosity_;
   std::string subject_;  // with ": " behind it
   bool isHeld_ = false;
-  std::string held_;
+  std::vector<std::string> held_;          // lines
+  std::set<std::string>* told_ = nullptr;  // null: all is printed
   bool isTerminal_ = false;
   bool hasProgressLine_ = false;
   std::string progressLine_;

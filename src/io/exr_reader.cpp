@@ -2,6 +2,7 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputPart.h>
+#include <ImfMatrixAttribute.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfPartType.h>
 #include <ImfRgbaFile.h>
@@ -117,6 +118,8 @@ void readAttributes(const Imf::Header& header, Image& image) {
   for (auto i = header.begin(); i != header.end(); ++i) {
     const auto* text = dynamic_cast<const Imf::StringAttribute*>(&i.attribute());
     if (text != nullptr) image.attributes[i.name()] = text->value();
+    const auto* matrix = dynamic_cast<const Imf::M44fAttribute*>(&i.attribute());
+    if (matrix != nullptr) std::copy_n(matrix->value().getValue(), 16, image.matrices[i.name()].begin());
   }
 }
 

@@ -2,11 +2,15 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
+#include <ImfMatrixAttribute.h>
 #include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <deque>
 #include <exception>
 
 #include "base/error.h"
@@ -59,16 +63,37 @@ Imf::Header makeHeader(const Image& image) {
   header.compression() = Imf::ZIP_COMPRESSION;
   Imf::addChromaticities(header, Imf::Chromaticities());  // the default: Rec. ITU-R BT.709, white D65
   for (const auto& [name, value] : image.attributes) header.insert(name, Imf::StringAttribute(value));
-  for (const Channel& channel : image.channels) header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
+  for (const auto& [name, value] : image.matrices) {
+    Imath::M44f matrix;
+    std::ranges::copy(value, matrix.getValue());
+    header.insert(name, Imf::M44fAttribute(matrix));
+  }
+  for (const Channel& channel : image.channels)
+    header.channels().insert(channel.name, Imf::Channel(channel.isHalf ? Imf::HALF : Imf::FLOAT));
   return header;
 }
 
-Imf::FrameBuffer makeFrameBuffer(const Image& image) {
+/// The nearest half floats. Light beyond their range stays finite: no infinity of ours is to spoil what is made of it.
+std::vector<half> halvesOf(std::span<const float> values) {
+  constexpr float kMost = 65504;
+  std::vector<half> halves;
+  halves.reserve(values.size());
+  for (const float value : values) halves.emplace_back(std::isfinite(value) ? std::clamp(value, -kMost, kMost) : value);
+  return halves;
+}
+
+/// `halves` holds what channels of half floats are written from.
+Imf::FrameBuffer makeFrameBuffer(const Image& image, std::deque<std::vector<half>>& halves) {
   Imf::FrameBuffer frameBuffer;
   const std::size_t rowBytes = sizeof(float) * static_cast<std::size_t>(image.width);
   const Imath::Box2i window = dataWindow(image);
   for (const Channel& channel : image.channels) {
     assert(channel.values.size() == static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+    if (channel.isHalf) {
+      const half* own = halves.emplace_back(halvesOf(channel.values)).data();
+      frameBuffer.insert(channel.name, Imf::Slice::Make(Imf::HALF, own, window, sizeof(half), rowBytes / 2));
+      continue;
+    }
     const float* values = channel.values.data();
     frameBuffer.insert(channel.name, Imf::Slice::Make(Imf::FLOAT, values, window, sizeof(float), rowBytes));
   }
@@ -82,7 +107,8 @@ void writeExr(const std::filesystem::path& file, const Image& image) {
   ExrStream stream(output, file.c_str());
   try {
     Imf::OutputFile exr(stream, makeHeader(image));
-    exr.setFrameBuffer(makeFrameBuffer(image));
+    std::deque<std::vector<half>> halves;
+    exr.setFrameBuffer(makeFrameBuffer(image, halves));
     exr.writePixels(image.height);
   } catch (const std::exception& error) {
     stream.rethrowFailure();

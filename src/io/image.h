@@ -1,5 +1,6 @@
-/// Images in memory, OpenEXR in and out, Radiance in, PNG previews.
+/// Images in memory, OpenEXR and Radiance in and out, PNG previews.
 #pragma once
+#include <array>
 #include <filesystem>
 #include <map>
 #include <span>
@@ -12,6 +13,7 @@ namespace importon {
 struct Channel {
   std::string name;
   std::vector<float> values;  // width * height
+  bool isHalf = false;        // OpenEXR gets it as half floats
 };
 
 /// The whole image that an image is a part of, and where in it its upper left pixel is. Without a width: it is no part.
@@ -20,17 +22,22 @@ struct WholeImage {
   int x = 0, y = 0;
 };
 
-/// Planes of one size, and string attributes.
+/// A matrix that row vectors are multiplied by from the left, by rows, as OpenEXR has them.
+using ImageMatrix = std::array<float, 16>;
+
+/// Planes of one size, and attributes.
 struct Image {
   int width = 0, height = 0;
   std::vector<Channel> channels;
   std::map<std::string, std::string> attributes;
   WholeImage whole = {};  // OpenEXR's display window; the image is its data window
+  std::map<std::string, ImageMatrix> matrices = {};
   [[nodiscard]] const Channel* find(const std::string& name) const;
 };
 
-/// Writes all channels as 32-bit float, ZIP-compressed scanlines, under a temporary name that is renamed at the
-/// end. Throws OutputError and leaves no file then.
+/// Writes all channels as 32-bit or 16-bit float, ZIP-compressed scanlines, under a temporary name that is renamed at
+/// the end. What 16 bits cannot hold becomes the greatest finite number that they can. Throws OutputError and leaves no
+/// file then.
 void writeExr(const std::filesystem::path& file, const Image& image);
 
 /// Reads any scanline or tiled OpenEXR (half, float, uint; any compression; layers), of the size of its data
@@ -46,6 +53,10 @@ void writeExr(const std::filesystem::path& file, const Image& image);
 
 /// The same from memory.
 [[nodiscard]] Image decodeHdr(std::span<const unsigned char> bytes, const std::string& where);
+
+/// Writes channels R, G and B as a Radiance picture with run lengths, renamed into place like writeExr. What is less
+/// than nothing counts as nothing. Throws OutputError. [Ward, as above]
+void writeHdr(const std::filesystem::path& file, const Image& image);
 
 /// True if the file begins as a Radiance picture does.
 [[nodiscard]] bool isHdr(const std::filesystem::path& file);

@@ -38,9 +38,9 @@ std::optional<Image> cutOut(const Image& image, int x, int y, int width, int hei
   const int left = x - whole.x, top = y - whole.y;
   if (left < 0 || top < 0 || left > image.width - width || top > image.height - height) return std::nullopt;
   if (width == image.width && height == image.height) return image;
-  Image part{width, height, {}, image.attributes, {whole.width, whole.height, x, y}};
+  Image part{width, height, {}, image.attributes, {whole.width, whole.height, x, y}, image.matrices};
   for (const Channel& channel : image.channels)
-    part.channels.push_back({channel.name, cutRows(channel, image.width, left, top, width, height)});
+    part.channels.push_back({channel.name, cutRows(channel, image.width, left, top, width, height), channel.isHalf});
   return part;
 }
 

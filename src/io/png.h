@@ -10,12 +10,15 @@
 
 namespace importon {
 
-/// Interleaved 8-bit sRGB, row-major from the top, and opacity.
-struct PngPixels {
+/// Interleaved sRGB, row-major from the top, and opacity.
+template <class Sample>
+struct ShownPixels {
   int width = 0, height = 0;
-  std::vector<std::uint8_t> rgb;
-  std::vector<std::uint8_t> alpha = {};  // of each pixel, whose rgb is not multiplied by it; empty: all opaque
+  std::vector<Sample> rgb;
+  std::vector<Sample> alpha = {};  // of each pixel, whose rgb is not multiplied by it; empty: all opaque
 };
+using PngPixels = ShownPixels<std::uint8_t>;
+using DeepPngPixels = ShownPixels<std::uint16_t>;
 
 /// The factor for light that `look` asks for. SceneError naming `where` if a channel is missing.
 [[nodiscard]] float exposureOf(const Look& look, const Image& image, const std::string& where);
@@ -24,9 +27,12 @@ struct PngPixels {
 /// divided by it first, as PNG has it. A pixel with a NaN is magenta, so that nobody
 /// overlooks it. SceneError naming `where` if a channel is missing.
 [[nodiscard]] PngPixels shownPixels(const Image& image, float exposure, ToneMap toneMap, const std::string& where);
+[[nodiscard]] DeepPngPixels deepShownPixels(const Image& image, float exposure, ToneMap toneMap,
+                                            const std::string& where);
 
 /// A whole PNG file in memory. OutputError naming `where`.
 [[nodiscard]] std::vector<std::byte> encodePng(const PngPixels& pixels, const std::string& where);
+[[nodiscard]] std::vector<std::byte> encodePng(const DeepPngPixels& pixels, const std::string& where);
 
 /// Renamed into place like writeExr. Throws OutputError.
 void writePng(const std::filesystem::path& file, const PngPixels& pixels);

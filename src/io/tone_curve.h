@@ -11,6 +11,7 @@ enum class ToneMap { neutral, agx, aces, none };
 struct Look {
   std::optional<double> exposure = {};  // EV: light counts 2^exposure times; unset: by autoExposure
   ToneMap toneMap = ToneMap::neutral;
+  bool isDeep = false;  // a PNG has 16 bits a channel
 };
 
 /// Exposed linear Rec. 709 -> linear Rec. 709 of a screen, each in [0, 1]. NaN and negative values count as 0.

@@ -38,13 +38,19 @@ struct Crop {
   int x = 0, y = 0, width = 1, height = 1;
 };
 
+/// Pictures of a sequence, by their numbers.
+struct FrameRange {
+  std::int64_t first = 0, last = 0;
+};
+
 /// Unset optionals are chosen automatically. Names follow the options of `importon render`, each of which has a row in
 /// render/options/option_table.cpp.
 struct RenderJob {
   std::filesystem::path scene;
   std::filesystem::path output;
-  std::filesystem::path png;         // empty: none
-  Look look;                         // of the PNG
+  std::filesystem::path png;         // or JPEG; empty: none
+  Look look;                         // of pictures for screens
+  bool hasHalfColors = false;        // in OpenEXR
   std::optional<int> width, height;  // pixels
   std::optional<Crop> crop;          // unset: all of the image
   std::optional<double> fStop;       // focal length over the lens's diameter; unset: the camera's
@@ -105,10 +111,18 @@ struct RenderJob {
   std::filesystem::path resume;       // a checkpoint to go on from; empty: none
   std::filesystem::path reference;    // adds the error against it to the statistics; empty: none
   bool validation = false;
-  bool leavesCache = false;          // the user's cache folder is neither read nor written
-  std::uint32_t workgroupSize = 64;  // invocations; the image does not depend on it
-  bool forcesAllFeatures = false;    // every feature on: must give the same image
+  bool leavesCache = false;               // the user's cache folder is neither read nor written
+  std::uint32_t workgroupSize = 64;       // invocations; the image does not depend on it
+  bool forcesAllFeatures = false;         // every feature on: must give the same image
+  std::optional<FrameRange> frames;       // of the animations; unset: one picture, or those of the turntable
+  std::optional<double> framesPerSecond;  // unset: kFramesPerSecond
+  std::optional<int> turntable;           // frames in which the camera goes round; unset: it stays
+  bool skipsMadeFrames = false;
+  bool hasSeedPerFrame = false;
+  std::optional<std::int64_t> frame;  // which one of a sequence this is; unset: of none
   std::vector<std::string> commandLine;
+
+  static constexpr double kFramesPerSecond = 24;
 };
 
 }  // namespace importon

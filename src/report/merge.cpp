@@ -59,6 +59,7 @@ Kind kindOf(const std::string& channel) {
 
 void ImageMerger::start(const Image& image, const std::string& name) {
   first_ = Image{image.width, image.height, {}, image.attributes, image.whole};
+  first_.matrices = image.matrices;
   firstName_ = name;
   for (const Channel& channel : image.channels) {
     first_.channels.push_back({channel.name, {}});

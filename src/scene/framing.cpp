@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace importon {
 namespace {
@@ -73,33 +74,100 @@ struct Fit {
   [[nodiscard]] double side() const { return (high - low) / 2; }
 };
 
+/// Calls `visit` with points, in render space, whose hull all triangles lie in.
+template <class Visit>
+void visitPoints(const Scene& scene, const Visit& visit) {
+  for (const Triangle& t : scene.worldTriangles())
+    for (const uint vertex : {t.v0, t.v1, t.v2}) visit(dvec3(scene.positions[vertex]));
+  scene.placed.visitPages([&](const PlacedInstance&, const Placement& placement, const MeshPage& page) {
+    for (uint corner = 0; corner < 8; ++corner)
+      visit(placement(vec3((corner & 1u) != 0 ? page.high.x : page.low.x, (corner & 2u) != 0 ? page.high.y : page.low.y,
+                           (corner & 4u) != 0 ? page.high.z : page.low.z)));
+  });
+}
+
+/// A camera that looks towards the scene from where `backward` points to, before it is placed.
+struct View {
+  View(const Scene& scene, double aspect)
+      : backward(viewOf(scene)),
+        right(glm::normalize(glm::cross(dvec3(0, 1, 0), backward))),
+        up(glm::cross(backward, right)),
+        high(kShown * std::tan(kFieldOfView / 2)),
+        wide(high * aspect) {
+    camera.name = "frame";
+    camera.yfov = kFieldOfView;
+    camera.aspectRatio = aspect;
+  }
+
+  void add(const dvec3& p) {
+    across.add(glm::dot(p, right), glm::dot(p, backward), wide);
+    along.add(glm::dot(p, up), glm::dot(p, backward), high);
+  }
+  /// So that all points fit, relative to `origin`.
+  [[nodiscard]] Camera placed(const dvec3& origin) {
+    const double back = std::max(across.back(wide), along.back(high));
+    const dvec3 eye = right * across.side() + up * along.side() + backward * back + origin;
+    camera.worldFromCamera =
+        glm::dmat4(glm::dvec4(right, 0), glm::dvec4(up, 0), glm::dvec4(backward, 0), glm::dvec4(eye, 1));
+    return camera;
+  }
+
+  Camera camera;
+  dvec3 backward, right, up;
+  double high, wide;  // tangents of half the angles that the scene may take
+  Fit across, along;
+};
+
+/// The farthest that points are from the y axis, in slices of their heights.
+class Profile {
+ public:
+  Profile(double low, double high) : low_(low), step_((high - low) / kSlices) {}
+
+  void add(const dvec3& p) {
+    const double slice = step_ > 0 ? (p.y - low_) / step_ : 0;
+    double& radius = radii_[static_cast<std::size_t>(std::clamp(slice, 0.0, kSlices - 1.0))];
+    radius = std::max(radius, std::hypot(p.x, p.z));
+  }
+  /// Points whose hull all lie in, however they are turned.
+  template <class Visit>
+  void visit(const Visit& visit) const {
+    const double bulge = 1 / std::cos(std::numbers::pi / kSides);  // of a polygon around the circle
+    for (std::size_t slice = 0; slice < radii_.size(); ++slice) {
+      if (radii_[slice] < 0) continue;
+      for (int side = 0; side < kSides; ++side) {
+        const double angle = 2 * std::numbers::pi * side / kSides, radius = bulge * radii_[slice];
+        for (const double edge : {0.0, 1.0})
+          visit(dvec3(radius * std::cos(angle), low_ + (static_cast<double>(slice) + edge) * step_,
+                      radius * std::sin(angle)));
+      }
+    }
+  }
+
+ private:
+  static constexpr int kSlices = 64, kSides = 64;
+  double low_, step_;
+  std::array<double, kSlices> radii_ = [] {
+    std::array<double, kSlices> none{};
+    none.fill(-1);
+    return none;
+  }();
+};
+
 }  // namespace
 
 Camera framingCamera(const Scene& scene, double aspect) {
-  Camera camera;
-  camera.name = "frame";
-  camera.yfov = kFieldOfView;
-  camera.aspectRatio = aspect;
-  const dvec3 backward = viewOf(scene), right = glm::normalize(glm::cross(dvec3(0, 1, 0), backward)),
-              up = glm::cross(backward, right);
-  const double high = kShown * std::tan(camera.yfov / 2), wide = high * aspect;
-  Fit across, along;
-  const auto fit = [&](const dvec3& p) {
-    across.add(glm::dot(p, right), glm::dot(p, backward), wide);
-    along.add(glm::dot(p, up), glm::dot(p, backward), high);
-  };
-  for (const Triangle& t : scene.worldTriangles())
-    for (const uint vertex : {t.v0, t.v1, t.v2}) fit(dvec3(scene.positions[vertex]));
-  scene.placed.visitPages([&](const PlacedInstance&, const Placement& placement, const MeshPage& page) {
-    for (uint corner = 0; corner < 8; ++corner)
-      fit(placement(vec3((corner & 1u) != 0 ? page.high.x : page.low.x, (corner & 2u) != 0 ? page.high.y : page.low.y,
-                         (corner & 4u) != 0 ? page.high.z : page.low.z)));
-  });
-  const double back = std::max(across.back(wide), along.back(high));
-  const dvec3 eye = right * across.side() + up * along.side() + backward * back + scene.worldFromRender;
-  camera.worldFromCamera =
-      glm::dmat4(glm::dvec4(right, 0), glm::dvec4(up, 0), glm::dvec4(backward, 0), glm::dvec4(eye, 1));
-  return camera;
+  View view(scene, aspect);
+  visitPoints(scene, [&](const dvec3& p) { view.add(p); });
+  return view.placed(scene.worldFromRender);
+}
+
+Camera roundFramingCamera(const Scene& scene, double aspect) {
+  const dvec3 low(scene.boundsMin), high(scene.boundsMax), axis((low.x + high.x) / 2, 0, (low.z + high.z) / 2);
+  Profile profile(low.y, high.y);
+  visitPoints(scene, [&](const dvec3& p) { profile.add(p - axis); });
+  View view(scene, aspect);
+  profile.visit([&](const dvec3& p) { view.add(p); });
+  return view.placed(axis + scene.worldFromRender);
 }
 
 }  // namespace importon

@@ -9,4 +9,8 @@ namespace importon {
 /// one way, as a quad or the ground does, is seen from that side and not edge-on.
 [[nodiscard]] Camera framingCamera(const Scene& scene, double aspect);
 
+/// One that looks from the same side at the vertical axis through the middle of the scene, and from as far away as
+/// shows all triangles from wherever it goes around that axis.
+[[nodiscard]] Camera roundFramingCamera(const Scene& scene, double aspect);
+
 }  // namespace importon

@@ -134,6 +134,8 @@ Scene loadGltf(const std::filesystem::path& file, Log& log, const LoadOptions& o
 Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem::path& name, const AssetFolder& folder,
                          Log& log, const LoadOptions& options) {
   GltfDocument document = readDocument(bytes, name, folder, log, options.file);
+  std::vector<AnimationSummary> animations;
+  if (options.listsAnimations) animations = describeAnimations(document, log);
   poseDocument(document, options.file, log);
   decodeDracoMeshes(document, log);
   const std::vector<PlacedNode> nodes = placeNodes(document);
@@ -157,6 +159,7 @@ Scene loadGltfFromMemory(std::span<const std::byte> bytes, const std::filesystem
   scene.materialNames = std::move(set.names);
   scene.sceneNames = sceneNames(document.json);
   scene.variantNames = variantNames(document.json);
+  scene.animations = std::move(animations);
   addCameras(document, nodes, options.frameAspect, scene);
   addLights(document, nodes, options, scene, log);
   return scene;

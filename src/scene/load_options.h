@@ -24,7 +24,8 @@ struct LoadOptions {
   FileChoices file{};                                        // which scene and variant, how strictly read
   OutsideFiles outside = OutsideFiles::refused;              // may buffers and images lie outside the file's folder?
 
-  KeepRule keep{};  // which meshes are kept once for all their instances
+  bool listsAnimations = false;  // fills Scene::animations
+  KeepRule keep{};               // which meshes are kept once for all their instances
 
   static constexpr double kFrameAspect = 4.0 / 3.0;
 };

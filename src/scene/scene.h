@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/animation/animation_summary.h"
 #include "scene/instances/placed_meshes.h"
 #include "shared/scene_data.h"
 
@@ -62,6 +63,7 @@ struct Scene {
   vec3 boundsMin{0}, boundsMax{0};  // render space
   std::optional<EnvironmentMap> environment;
   std::vector<std::string> sceneNames, variantNames;  // what the file offers to choose from
+  std::vector<AnimationSummary> animations;           // of the file, if they were asked for
   bool isInStudio = false;                            // the environment is that of scene/studio.h
   bool hasCameraInFile = true;                        // false: cameras[0] was made to frame the scene
 

@@ -47,6 +47,29 @@ TEST(Log, SaysWhatItsVerbosityAllows) {
   EXPECT_EQ(said(Log::Verbosity::verbose), "importon: warning: warning\nimporton: note\nimporton: detail\n");
 }
 
+TEST(Log, PrintsNothingThatOthersHaveTold) {
+  CaptureStderr();
+  {
+    std::set<std::string> told;
+    for (const char* more : {"first", "second"}) {
+      Log log(Log::Verbosity::normal, "a.glb");
+      log.hold();
+      log.note("no camera");
+      log.warn("k", "warning");
+      log.warn("k", "another");
+      log.release(told);
+      log.note(more);
+      log.note("no light");
+      log.error("failed");
+      EXPECT_EQ(log.warnings().at(0).count, 2u) << "it is counted all the same";
+    }
+  }
+  EXPECT_EQ(GetCapturedStderr(),
+            "importon: a.glb: no camera\nimporton: warning: a.glb: warning\nimporton: a.glb: first\n"
+            "importon: a.glb: no light\nimporton: error: failed\nimporton: warning: a.glb: 1 more like \"warning\"\n"
+            "importon: a.glb: second\n");
+}
+
 TEST(Log, NamesItsSubjectButNotInErrors) {
   CaptureStderr();
   {

@@ -84,5 +84,20 @@ TEST(SceneSummary, TellsTheSameAsJson) {
   EXPECT_EQ(json["features"][1]["why"], "no material transmits");
 }
 
+TEST(SceneSummary, ListsAnimations) {
+  Scene scene = sample();
+  scene.animations = {{"walk", 2.5, {{"rotation", 2}, {"translation", 1}}}, {"", std::nullopt, {}}};
+  const std::string text = summaryText(scene, kFeatures);
+  EXPECT_TRUE(has(text, "animation 0  walk, 2.5 s, 3 channels: 2 rotation, 1 translation\n")) << text;
+  EXPECT_TRUE(has(text, "animation 1  (unnamed), of unknown length, 0 channels\n")) << text;
+  const auto json = nlohmann::json::parse(summaryJson(scene, kFeatures));
+  ASSERT_EQ(json["animations"].size(), 2u);
+  EXPECT_EQ(json["animations"][0]["name"], "walk");
+  EXPECT_EQ(json["animations"][0]["seconds"], 2.5);
+  EXPECT_EQ(json["animations"][0]["channels"], (nlohmann::json{{"rotation", 2}, {"translation", 1}}));
+  EXPECT_TRUE(json["animations"][1]["seconds"].is_null());
+  EXPECT_EQ(nlohmann::json::parse(summaryJson(sample(), kFeatures))["animations"].size(), 0u);
+}
+
 }  // namespace
 }  // namespace importon::scene_summary_test

@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 #include "app/batch/batch_summary.h"
 #include "app/batch/job_files.h"
 #include "app/batch/scene_ahead.h"
+#include "app/batch/sequence_camera.h"
+#include "app/batch/sequence_command.h"
 #include "app/commands.h"
 #include "app/output_folder.h"
 #include "base/clock.h"
@@ -25,6 +28,9 @@ void prepareFolders(const BatchCommand& command) {
     if (!folder.empty()) makeFolder(folder, kProbe);
   }
   if (!command.summary.empty()) checkWritable(command.summary);
+  if (!command.isSequence) return;
+  const fs::path& stats = command.entries.front().render.job.stats;  // of each frame
+  if (!stats.empty()) checkWritable(stats);
 }
 
 /// By what --camera chooses this camera and no other.
@@ -56,7 +62,8 @@ std::vector<RenderJob> jobsOf(const BatchEntry& entry, const Scene& scene) {
     jobs.back().camera = choiceOf(scene, i);
     addCamera(jobs.back(), cameraLabel(scene.cameras, i));
   }
-  if (!entry.hasAllCameras) jobs.push_back(entry.render.job);
+  for (const std::int64_t frame : entry.frames) jobs.push_back(frameJob(entry.render.job, frame));
+  if (!entry.hasAllCameras && entry.frames.empty()) jobs.push_back(entry.render.job);
   return jobs;
 }
 
@@ -70,18 +77,21 @@ class Batch {
  private:
   void runEntry(const BatchEntry& entry, SceneAhead& ahead);
   void renderAll(const BatchEntry& entry, PreparedScene& scene, Log& log);
-  void renderJob(const RenderJob& job, const LoadedScene& loaded, std::shared_ptr<const Bvh> tree, Log& log);
+  void renderJob(const RenderJob& job, LoadedScene& loaded, std::shared_ptr<const Bvh> tree, Log& log);
   RenderOutcome tryTwice(const RenderJob& job, const LoadedScene& loaded, std::shared_ptr<const Bvh> tree, Log& log);
   void fail(const RenderJob& job, const std::string& camera, const std::exception& exception, Log& log);
   void skip(const RenderJob& job);
   void record(BatchResult result);
   void tellOfEnd() const;
-  [[nodiscard]] std::string place() const { return fmt::format("{}/{}", entry_, command_.entries.size()); }
+  void release(Log& log) { command_.isSequence ? log.release(told_) : log.release(); }
+  [[nodiscard]] std::string place() const;
 
   const BatchCommand& command_;
   const std::atomic<bool>& isInterrupted_;
   Clock::time_point start_, jobStart_;  // of the process; of the present job
   std::size_t entry_ = 0;               // number of the present one, from 1
+  std::set<std::string> told_;          // by frames of a sequence
+  SequenceCamera sequenceCamera_;
   SharedDevices devices_;
   bool hasDoubtedDevice_ = false;  // the last job failed on a fresh one
   std::unique_ptr<SceneAhead> next_;
@@ -90,7 +100,7 @@ class Batch {
 
 ExitStatus Batch::run() {
   const std::vector<BatchEntry>& entries = command_.entries;
-  next_ = std::make_unique<SceneAhead>(entries.front().render);
+  if (!entries.empty()) next_ = std::make_unique<SceneAhead>(entries.front().render);
   for (const BatchEntry& entry : entries) {
     ++entry_;
     if (isInterrupted_) {
@@ -111,12 +121,12 @@ void Batch::runEntry(const BatchEntry& entry, SceneAhead& ahead) {
   try {
     scene = ahead.take();
   } catch (const std::exception& exception) {
-    log.release();
+    release(log);
     fail(entry.render.job, "", exception, log);
   }
   if (entry_ < command_.entries.size()) next_ = std::make_unique<SceneAhead>(command_.entries[entry_].render);
   if (!scene) return;
-  log.release();
+  release(log);
   tellOfOptions(entry.render, log);
   renderAll(entry, *scene, log);
 }
@@ -128,8 +138,10 @@ void Batch::renderAll(const BatchEntry& entry, PreparedScene& scene, Log& log) {
   } catch (const std::exception& exception) {
     fail(entry.render.job, "", exception, log);
   }
+  const std::vector<Camera> cameras = scene.loaded.scene.cameras;
   for (const RenderJob& job : jobs) {
     const bool isLast = &job == &jobs.back();
+    scene.loaded.scene.cameras = cameras;
     if (isInterrupted_)
       skip(job);
     else
@@ -137,9 +149,10 @@ void Batch::renderAll(const BatchEntry& entry, PreparedScene& scene, Log& log) {
   }
 }
 
-void Batch::renderJob(const RenderJob& job, const LoadedScene& loaded, std::shared_ptr<const Bvh> tree, Log& log) {
+void Batch::renderJob(const RenderJob& job, LoadedScene& loaded, std::shared_ptr<const Bvh> tree, Log& log) {
   std::string camera = job.camera;
   try {
+    sequenceCamera_.place(job, loaded.scene);
     camera = labelOf(loaded.scene, job);
     checkOutputs(job);
     RenderJob told = job;
@@ -148,7 +161,7 @@ void Batch::renderJob(const RenderJob& job, const LoadedScene& loaded, std::shar
     BatchResult result{job, camera, outcome.status, "", secondsSince(jobStart_), std::move(outcome.stats), {}};
     if (result.stats) log.note(fmt::format("{} in {:.2f} s, {}", job.output.string(), result.seconds, place()));
     if (result.status == ExitStatus::output) result.error = "the checkpoint could not be written";
-    if (!result.stats) result.error = "interrupted before the first pass was done";
+    if (!result.stats) result.error = "interrupted before it was done";
     result.warnings = log.warnings();
     record(std::move(result));
   } catch (const std::exception& exception) {
@@ -203,6 +216,12 @@ void Batch::record(BatchResult result) {
   jobStart_ = Clock::now();
 }
 
+/// Which of how many: frames of a sequence, or entries.
+std::string Batch::place() const {
+  const std::size_t entries = command_.entries.size(), frames = command_.entries.front().frames.size();
+  return frames > 0 ? fmt::format("{}/{}", results_.size() + 1, frames) : fmt::format("{}/{}", entry_, entries);
+}
+
 void Batch::tellOfEnd() const {
   Log log(command_.verbosity);
   const auto made = std::ranges::count_if(results_, [](const BatchResult& r) { return r.stats.has_value(); });
@@ -217,7 +236,10 @@ void Batch::tellOfEnd() const {
 
 ExitStatus runBatch(const BatchCommand& command, const std::atomic<bool>& isInterrupted, Clock::time_point start) {
   prepareFolders(command);
-  return Batch(command, isInterrupted, start).run();
+  if (!command.isSequence) return Batch(command, isInterrupted, start).run();
+  Log log(command.verbosity);
+  const BatchCommand left = withoutMadeFrames(command, log);
+  return Batch(left, isInterrupted, start).run();
 }
 
 }  // namespace importon

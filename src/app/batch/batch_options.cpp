@@ -5,6 +5,7 @@
 #include "app/render_options.h"
 #include "base/error.h"
 #include "fmt/format.h"
+#include "io/picture_file.h"
 
 namespace importon {
 namespace {
@@ -13,16 +14,16 @@ namespace fs = std::filesystem;
 
 constexpr const char* kAllCameras = "all";
 
-void checkFolder(const char* option, const fs::path& folder, const char* extension) {
-  if (folder.extension() != extension) return;
+void checkFolder(const char* option, const fs::path& folder) {
+  if (folder.extension().empty() || !pictureKind(folder, PictureKind::exr)) return;
   throw UsageError(fmt::format("{} names a folder where there may be several pictures", option), folder.string(),
                    "give the name of a folder");
 }
 
 /// What one file cannot serve all jobs for.
 void checkCommon(const RenderCommand& common) {
-  checkFolder("--output", common.job.output, ".exr");
-  checkFolder("--png", common.job.png, ".png");
+  checkFolder("--output", common.job.output);
+  checkFolder("--png", common.job.png);
   for (const auto& [name, file] : {std::pair("--checkpoint", &common.job.checkpoint), {"--resume", &common.job.resume}})
     if (!file->empty())
       throw UsageError(fmt::format("{} is of one picture, not of several", name), file->string(),

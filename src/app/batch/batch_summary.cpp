@@ -14,14 +14,16 @@ Json textOrNull(const std::string& text) { return text.empty() ? Json() : Json(t
 
 Json resultJson(const BatchResult& result) {
   const RenderJob& job = result.job;
-  return {{"scene", job.scene.string()},
-          {"camera", textOrNull(result.camera)},
-          {"output", job.output.string()},
-          {"png", textOrNull(job.png.string())},
-          {"status", static_cast<int>(result.status)},
-          {"error", textOrNull(result.error)},
-          {"seconds", result.seconds},
-          {"stats", result.stats ? statsTree(job, *result.stats, result.warnings) : Json()}};
+  Json json{{"scene", job.scene.string()},
+            {"camera", textOrNull(result.camera)},
+            {"output", job.output.string()},
+            {"png", textOrNull(job.png.string())},
+            {"status", static_cast<int>(result.status)},
+            {"error", textOrNull(result.error)},
+            {"seconds", result.seconds},
+            {"stats", result.stats ? statsTree(job, *result.stats, result.warnings) : Json()}};
+  if (job.frame) json["frame"] = *job.frame;
+  return json;
 }
 
 }  // namespace

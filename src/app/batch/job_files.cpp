@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "app/render_options.h"
 #include "base/error.h"
 #include "fmt/format.h"
 
@@ -112,6 +113,7 @@ void checkJobFiles(const BatchCommand& command) {
   }
   if (!command.summary.empty()) places.writes(command.summary, false);
   places.check();
+  for (const BatchEntry& entry : command.entries) checkPictureKinds(entry.render.job);
 }
 
 }  // namespace importon

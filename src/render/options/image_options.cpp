@@ -131,7 +131,8 @@ std::vector<OptionRow> imageOptions() {
       number(Group::image, "--at", "SECONDS", &RenderJob::at, notNegative("seconds"),
              "pose of the animations at that time (default: the pose at rest)"),
       name("--animation", "which animation plays, by name or index (default: all at once)", &RenderJob::animation)
-          .needs({.what = "a time, --at", .isMet = [](const RenderJob& job) { return job.at.has_value(); }}),
+          .needs(
+              {.what = "a time, --at or --frames", .isMet = [](const RenderJob& job) { return job.at || job.frames; }}),
       choice<PixelFilter>(Group::image, "--filter", &RenderJob::filter,
                           {{"box", PixelFilter::box},
                            {"gaussian", PixelFilter::gaussian},

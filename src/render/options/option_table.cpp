@@ -1,13 +1,12 @@
 #include "render/options/option_table.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <map>
 
-#include "render/options/aov_table.h"
 #include "render/options/gather_source.h"
 #include "render/options/image_options.h"
+#include "render/options/output_options.h"
+#include "render/options/sequence_options.h"
 
 namespace importon {
 namespace {
@@ -22,81 +21,6 @@ constexpr std::int64_t kMostMiB = 1 << 30, kMostSeed = std::numeric_limits<std::
 
 constexpr OptionNeed kNeedsReceivers{.what = "--redistribute",
                                      .isMet = [](const RenderJob& job) { return job.redistribute.has_value(); }};
-
-/// The names of all layers, six lines of them at most.
-std::string layerHelp() {
-  std::string help = "extra layers, comma separated (default: none), of\n", line;
-  for (const std::string& name : aovNames()) {
-    if (line.size() + name.size() > 64) help += std::exchange(line, "") + "\n";
-    line += (line.empty() ? "" : " ") + name;
-  }
-  return help + line;
-}
-
-OptionRow layers() {
-  return {"--aov",
-          "LIST",
-          layerHelp(),
-          Group::output,
-          {},
-          [](RenderJob& job, const std::string& list) { job.aovs = splitNames(list, aovNames(), "--aov"); },
-          [](const RenderJob& job) { return fmt::format("{}", job.aovs.size()); }};
-}
-
-/// Told apart from the text "auto", and within what exp2 of a float holds.
-std::string exposureFault(const std::string& given) {
-  constexpr double kMost = 100;
-  if (given == "auto") return {};
-  if (finite("EV")(given).empty() && std::abs(numberOf<double>(given)) <= kMost) return {};
-  return fmt::format("\"{}\" is neither auto nor a number from -{} to {} EV", given, kMost, kMost);
-}
-
-OptionRow exposure() {
-  return {"--exposure",
-          "EV,auto",
-          "of the PNG: light counts 2^EV times, or as much as makes its\nlog-average middle grey (default: auto)",
-          Group::output,
-          exposureFault,
-          [](RenderJob& job, const std::string& given) {
-            if (given == "auto")
-              job.look.exposure.reset();
-            else
-              job.look.exposure = numberOf<double>(given);
-          },
-          [](const RenderJob& job) { return textOf(job.look.exposure); }};
-}
-
-OptionRow toneMap() {
-  static const std::map<std::string, ToneMap> kNames{
-      {"neutral", ToneMap::neutral}, {"agx", ToneMap::agx}, {"aces", ToneMap::aces}, {"none", ToneMap::none}};
-  return {"--tone-map",
-          "neutral,agx,aces,none",
-          "of the PNG: Khronos PBR Neutral, AgX, ACES, or values above 1\ncut off (default: neutral)",
-          Group::output,
-          oneOf({"neutral", "agx", "aces", "none"}),
-          [](RenderJob& job, const std::string& given) { job.look.toneMap = kNames.at(given); },
-          [](const RenderJob& job) {
-            const auto isIt = [&](const auto& entry) { return entry.second == job.look.toneMap; };
-            return std::ranges::find_if(kNames, isIt)->first;
-          }};
-}
-
-Rows outputOptions() {
-  return {
-      text(Group::output, "-o,--output", "F.exr", &RenderJob::output,
-           "linear RGB OpenEXR, 32-bit float, with a layer for each AOV")
-          .everyday()
-          .required(),
-      text(Group::output, "--png", "F.png", &RenderJob::png, "tone-mapped preview beside it (default: none)")
-          .everyday(),
-      exposure(),
-      toneMap(),
-      layers(),
-      text(Group::output, "--reference", "REF.exr", &RenderJob::reference,
-           "image to measure the error against after each pass, for\n--stats (default: none)"),
-      text(Group::output, "--stats", "F.json", &RenderJob::stats, "counts, times and warnings as JSON (default: none)")
-          .everyday()};
-}
 
 Rows stopOptions() {
   return {number(Group::stop, "--passes", "N", &RenderJob::passes, wholeNumber(1, kMostPasses, "passes"),
@@ -318,7 +242,7 @@ Rows runOptions() {
            "write the state every minute and at the end (default: none)")
           .everyday(),
       text(Group::pausing, "--resume", "F", &RenderJob::resume,
-           "go on from a checkpoint of this job, to the same image\nas a run never stopped (default: none)")
+           "go on from a checkpoint, to the same image (default: none)")
           .everyday(),
       text(
           Group::machine, "--device", "NAME", &RenderJob::device,
@@ -349,8 +273,9 @@ Rows runOptions() {
 const std::vector<OptionRow>& optionTable() {
   static const Rows kTable = [] {
     Rows all;
-    for (const Rows& rows : {outputOptions(), imageOptions(), stopOptions(), methodOptions(), controlOptions(),
-                             emissionOptions(), densityOptions(), quotaOptions(), lookupOptions(), runOptions()})
+    for (const Rows& rows :
+         {outputOptions(), imageOptions(), sequenceOptions(), stopOptions(), methodOptions(), controlOptions(),
+          emissionOptions(), densityOptions(), quotaOptions(), lookupOptions(), runOptions()})
       all.insert(all.end(), rows.begin(), rows.end());
     return all;
   }();

@@ -154,7 +154,8 @@ std::vector<AnimationSummary> describeAnimations(GltfDocument& document, Log& lo
     const Json& animation = document.json["animations"][i];
     AnimationSummary& summary = summaries.emplace_back();
     summary.name = printable(stringOr(animation, "name", ""));
-    summary.channels = animation["channels"].size();
+    for (const Json& channel : member(animation, "channels"))
+      ++summary.channels[printable(stringOr(member(channel, "target"), "path", "unknown"))];
     try {
       summary.duration = durationOf(document, i);
     } catch (const SceneError& error) {

@@ -1,11 +1,9 @@
 /// The animations of a file.
 #pragma once
-#include <cstddef>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "base/log.h"
+#include "scene/animation/animation_summary.h"
 #include "scene/container/gltf_document.h"
 
 namespace importon {
@@ -16,14 +14,7 @@ namespace importon {
 /// animation of that name.
 void poseDocument(GltfDocument& document, const FileChoices& choices, Log& log);
 
-/// What `importon info` tells of an animation.
-struct AnimationSummary {
-  std::string name;  // empty: none
-  std::size_t channels = 0;
-  std::optional<double> duration;  // s, up to the last key; none: it cannot be read
-};
-
-/// Of all animations. What is broken is a warning.
+/// Of all animations, as they stand in the file. What is broken is a warning.
 [[nodiscard]] std::vector<AnimationSummary> describeAnimations(GltfDocument& document, Log& log);
 
 }  // namespace importon
