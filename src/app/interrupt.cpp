@@ -9,11 +9,11 @@ namespace importon {
 namespace {
 
 // A signal handler reaches nothing but globals.
-std::atomic<bool> isInterrupted{false};
+std::atomic<bool> hasSignal{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void onSignal(int) {
-  isInterrupted = true;
+  hasSignal = true;
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
   constexpr std::string_view kMessage = "\nimporton: stopping after this pass; once more to stop at once\n";
@@ -29,7 +29,7 @@ const std::atomic<bool>& watchForInterrupt() {
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  return isInterrupted;
+  return hasSignal;
 }
 
 }  // namespace importon
