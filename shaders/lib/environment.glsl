@@ -1,8 +1,8 @@
 // Light from far away, as a lat-long map. Its middle row and column look along -z, its right half to +x, its top
 // row up, +y; radiance is interpolated between texels.
 // The kernel defines `uvec4 environmentTexel(uint index)` (radiance, and the density 1/sr with which directions in
-// the texel are drawn), `uvec2 environmentDrawn(uint index)` (DrawnEntry of src/scene/environment.h: a table of the rows,
-// then one of the columns of each row) and `uvec2 environmentSize()` before including this file.
+// the texel are drawn), `uvec2 environmentDrawn(uint index)` (DrawnEntry of src/scene/environment.h: a table of the
+// rows, then one of the columns of each row) and `uvec2 environmentSize()` before including this file.
 #ifndef IMPORTON_LIB_ENVIRONMENT_GLSL
 #define IMPORTON_LIB_ENVIRONMENT_GLSL
 #include "lib/sampling.glsl"
@@ -39,7 +39,7 @@ float pdfEnvironment(vec3 direction) {
 }
 
 /// Draws an entry of a table of `count` entries from `first`; what is left of u is uniform again. Entries follow u in
-/// order, so that points that are even in u are so over the map: with few samples an alias table has twice the error.
+/// order, so that points that are even in u are so over the map; an alias table scatters them.
 uint drawEntry(uint first, uint count, inout float u) {
   uint entry = environmentDrawn(first + min(uint(u * float(count)), count - 1u)).x;
   float begin = entry == 0u ? 0.0 : uintBitsToFloat(environmentDrawn(first + entry - 1u).y);
